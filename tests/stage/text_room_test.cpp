@@ -14,111 +14,15 @@
 #include <set>
 
 #include "kept_free.hpp"
-#include "stage_rig.hpp"
-#include "text_bounds.hpp"
+#include "text_room.hpp"
 
 namespace apart {
 namespace {
 
-constexpr std::array<int, 3> kSizes = {100, 120, 140}; // percent
-constexpr std::array<Vec2, 3> kWindows = {Vec2{1280, 720}, Vec2{960, 720}, Vec2{1920, 1080}};
-
-/// Texts of the picture that leave it or cover each other.
-std::vector<std::string> crowdedTexts(const RecordingCanvas& canvas, Vec2 window) {
-    const Real scale = window.x / canvas.visible().extent().x;
-    std::vector<std::pair<const Stroke*, Aabb>> texts;
-    for (const Stroke& stroke : canvas.strokes()) {
-        if (!stroke.text.empty() && stroke.color.a > 0) {
-            texts.emplace_back(&stroke, boundsOf(stroke, canvas, scale));
-        }
-    }
-    std::vector<std::string> bad;
-    for (std::size_t a = 0; a < texts.size(); ++a) {
-        const auto& [stroke, box] = texts[a];
-        if (!canvas.visible().contains(box)) {
-            bad.push_back(stroke->text + " leaves the picture");
-        }
-        for (std::size_t b = 0; b < a; ++b) {
-            const bool shadow = stroke->text == texts[b].first->text;
-            if (!shadow && overlap(box.grown(Real(-0.01)), texts[b].second)) {
-                bad.push_back(stroke->text + " | covers | " + texts[b].first->text);
-            }
-        }
-    }
-    return bad;
-}
-
-/// Each size and window in turn.
-template <typename Look>
-void inEachSize(Look look) {
-    for (const int percent : kSizes) {
-        for (const Vec2 window : kWindows) {
-            SCOPED_TRACE(testing::Message()
-                         << percent << " % in " << window.x << " x " << window.y);
-            look(percent, window);
-        }
-    }
-}
-
-const LevelList& allLevels() {
-    static const LevelList levels = [] {
-        LevelList list;
-        for (const std::string& name : levelNames()) {
-            list.push_back(std::make_shared<const Level>(std::get<Level>(loadLevel(name))));
-        }
-        return list;
-    }();
-    return levels;
-}
-
-/// All levels of the game, with long numbers and texts wherever the player's data stands.
-StageDef crowded(int percent, Mode mode) {
-    StageDef def;
-    def.levels = allLevels();
-    def.profile.settings.text = percent;
-    def.profile.mode = mode;
-    for (const auto& level : def.levels) {
-        for (const Mode each : {Mode::Standard, Mode::Pure}) {
-            def.profile.enter(each, level->name, {1234567, true, true, true});
-        }
-    }
-    for (PlayTotals& totals : def.profile.totals) {
-        totals = {12345, 6789, 1234567, 1234567, 234567, 45, 120};
-    }
-    def.marks = std::get<std::vector<MedalMarks>>(readMedals(assetsFolder() / "medals.toml"));
-    def.endless = [](std::uint32_t, std::uint32_t) {
-        return glassLevel("An endless row of stones", {7});
-    };
-    def.today = [] { return Day{20261126}; };
-    def.daily = [](Day, std::uint32_t) { return glassLevel("Daily", {2, 7, 12}); };
-    def.notices = {
-        "The profile /home/username/.config/apart/profile.toml cannot be read: line 12: a "
-        "number from 0 to 100 is expected, not 'loud'. It was renamed to "
-        "profile.toml.broken, and a new one begins."};
-    def.replays = [] {
-        const ShowEntry entry{"Last game: Runaway cart (pure)", "2026-11-26", "cannot be read",
-                              1234567};
-        return std::vector<ShowEntry>(kMostReplays, entry);
-    };
-    return def;
-}
-
-/// A stage in a window.
-struct Room : StageRig {
-    Room(StageDef def, Vec2 pixels) : StageRig(std::move(def)), window(pixels) {
-        canvas.setWindow(pixels);
-    }
-    void expectFree(const std::string& screen) {
-        frame();
-        EXPECT_EQ(crowdedTexts(picture(), window), std::vector<std::string>{}) << screen;
-    }
-    Vec2 window;
-};
-
 TEST(TextRoom, OfTheScreensAroundTheGame) {
     for (const Mode mode : {Mode::Standard, Mode::Pure}) {
         inEachSize([&](int percent, Vec2 window) {
-            Room room(crowded(percent, mode), window);
+            TextScreen room(crowded(percent, mode), window);
             room.expectFree("title");
             room.press(Command::Back);
             room.expectFree("title with a question");
@@ -147,7 +51,7 @@ TEST(TextRoom, OfTheScreensAroundTheGame) {
 
 TEST(TextRoom, OfTheHelp) {
     inEachSize([](int percent, Vec2 window) {
-        Room room(crowded(percent, Mode::Standard), window);
+        TextScreen room(crowded(percent, Mode::Standard), window);
         room.clickItem(Action::Help);
         for (int i = 0; i < 4; ++i) {
             room.expectFree("help");
@@ -260,7 +164,7 @@ TEST(TextRoom, WordsBeforeAServeCoverNoBlockRopeOrDot) {
 TEST(TextRoom, OfAGameAndItsPause) {
     for (const Mode mode : {Mode::Standard, Mode::Pure}) {
         inEachSize([&](int percent, Vec2 window) {
-            Room room(crowded(percent, mode), window);
+            TextScreen room(crowded(percent, mode), window);
             room.clickItem(Action::Daily);
             room.expectFree("serve");
             makePoints(room);
@@ -287,7 +191,7 @@ TEST(TextRoom, OfAReplay) {
                                        : std::nullopt;
                         },
                         replay.end};
-        Room room(std::move(def), window);
+        TextScreen room(std::move(def), window);
         room.expectFree("replay");
         room.press(Command::Launch);
         room.expectFree("replay, paused");
@@ -296,54 +200,6 @@ TEST(TextRoom, OfAReplay) {
         room.press(Command::Back);
         room.press(Command::Confirm);
         room.expectFree("what if");
-    });
-}
-
-/// Texts of the picture that lie on an item of the menu and are not its own.
-std::vector<std::string> textsOnItems(const RecordingCanvas& canvas, const Menu& menu,
-                                      Vec2 window) {
-    const Real scale = window.x / canvas.visible().extent().x;
-    std::vector<std::string> bad;
-    for (const Stroke& stroke : canvas.strokes()) {
-        for (std::size_t i = 0; i < menu.items().size(); ++i) {
-            if (!stroke.text.empty() && stroke.text != menu.items()[i].label &&
-                overlap(boundsOf(stroke, canvas, scale), menu.place(i))) {
-                bad.push_back(stroke.text + " lies on " + menu.items()[i].label);
-            }
-        }
-    }
-    return bad;
-}
-
-// Regression: the menu has seven items then, and the line lay on the first one.
-TEST(TextRoom, OfAGameTakenOverFromAReplayOfTheList) {
-    const auto level = allLevels()[3];
-    const Replay replay = recordedGame(level, 3, 600);
-    inEachSize([&](int percent, Vec2 window) {
-        StageDef def = crowded(percent, Mode::Standard);
-        def.replays = [&] {
-            std::vector<ShowEntry> entries(1, {"a game", "2026-11-26", "won", 12345});
-            entries[0].load = [&] {
-                return Show{level, 3, Mode::Standard,
-                            [&replay](const Game& game) {
-                                return game.ticks() < replay.end
-                                           ? std::optional(inputAt(replay, game.ticks()))
-                                           : std::nullopt;
-                            },
-                            replay.end};
-            };
-            return entries;
-        };
-        Room room(std::move(def), window);
-        room.clickItem(Action::Records);
-        room.clickItem(Action::Replays);
-        room.clickItem(Action::Replay);
-        room.press(Command::Confirm); // takes over
-        ASSERT_EQ(room.stage.menu().items().size(), 7u);
-        EXPECT_TRUE(room.picture().says("from there you play"));
-        room.expectFree("taken over");
-        EXPECT_EQ(textsOnItems(room.picture(), room.stage.menu(), window),
-                  std::vector<std::string>{});
     });
 }
 
@@ -389,7 +245,7 @@ TEST(TextRoom, OfWhatIsLostAndOfErrorsInALevelFile) {
                                       "whole number from 100 to 24000";
             return std::optional(LevelChange{nullptr, {fault, fault}});
         };
-        Room room(std::move(def), window);
+        TextScreen room(std::move(def), window);
         room.press(Command::Pause);
         EXPECT_TRUE(room.picture().says("my_tower.toml:12: width"));
         room.expectFree("paused");
@@ -488,7 +344,7 @@ TEST(TextRoom, LongTextsOfALevelAreCutAndStayLegible) {
             StageDef def = crowded(percent, Mode::Standard);
             def.levels = {std::make_shared<const Level>(level)};
             def.replays = [&] { return std::vector<ShowEntry>(2, {"Last game: " + text}); };
-            Room room(std::move(def), window);
+            TextScreen room(std::move(def), window);
             const auto expectLegible = [&](const std::string& screen) {
                 room.expectFree(screen);
                 EXPECT_EQ(tinyTexts(room.picture(), window), std::vector<std::string>{}) << screen;
@@ -505,6 +361,8 @@ TEST(TextRoom, LongTextsOfALevelAreCutAndStayLegible) {
             room.press(Command::Back);
             room.clickItem(Action::Play);
             expectLegible("serve");
+            room.press(Command::Pause);
+            expectLegible("paused");
             RecordingCanvas canvas;
             canvas.setWindow(window);
             canvas.begin(layout::kShown, {});

@@ -143,13 +143,22 @@ void paintFeast(Canvas& canvas, int ticks, const Bindings& keys) {
          {Real(0.5), palette::kText, Typeface::Bold, Align::Middle});
 }
 
-void paintPaused(Canvas& canvas, const Menu& menu, std::string_view question, const HudLook& look) {
+/// The idea of the level stands above: before the serve there may be no room for it.
+void paintPaused(Canvas& canvas, const Menu& menu, std::string_view question, const HudLook& look,
+                 const Level& level) {
     paintVeil(canvas, faded(palette::kNight, 0.72f));
     const Real top = menu.place(0).upper.y;
     canvas.text("Paused", {0, top + Real(1.4)},
                 {Real(1.6), palette::kText, Typeface::Display, Align::Middle});
     menu.draw(canvas);
-    Real y = Real(4.9);
+    constexpr Real kIdeaRoom = 2 * layout::kRight - Real(0.6);
+    Real y = Real(16.9);
+    for (const std::string& line : wrappedInto(2, level.idea, fitting(canvas, 80), 120)) {
+        canvas.text(line, {0, y},
+                    {Real(0.5), palette::kText, Typeface::Plain, Align::Middle, kIdeaRoom});
+        y -= Real(0.8);
+    }
+    y = Real(4.9);
     const auto prompt = [&](Act act) { return look.keys.prompt(act); };
     for (const std::string& line :
          {fmt::format("mouse; {}: left; {}: right      {} or click: serve", prompt(Act::Left),
@@ -290,7 +299,7 @@ void Stage::draw(Canvas& canvas) const {
         }
         return;
     case Screen::Paused:
-        paintPaused(canvas, menu_, confirm_.question(seconds_), hudLook());
+        paintPaused(canvas, menu_, confirm_.question(seconds_), hudLook(), game().level());
         return paintNotices(canvas, reload_.notes(), kGameNotices);
     case Screen::Over:
         paintVeil(canvas, faded(palette::kNight, rerun_ ? 0.55f : 0.72f));
