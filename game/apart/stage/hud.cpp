@@ -73,11 +73,8 @@ void paintLives(Canvas& canvas, const Game& game) {
     const int shown = std::min<int>(game.lives(), 8);
     for (int i = 0; i < shown; ++i) {
         const Vec2 center{kPanelLeft + Real(0.28) + Real(0.62) * static_cast<Real>(i), Real(10.8)};
-        if (i > 0) {
-            canvas.ring(center, Real(0.19), Real(0.07), palette::kBall);
-            continue;
-        }
-        canvas.disc(center, Real(0.26), palette::kBall, darker(palette::kBall, 0.2f));
+        canvas.disc(center, i > 0 ? Real(0.2) : Real(0.26), palette::kBall,
+                    darker(palette::kBall, 0.2f));
     }
 }
 
