@@ -26,5 +26,19 @@ TEST(Panel, HasAFilledDotForEachBall) {
     EXPECT_EQ(inRow(Stroke::Kind::Ring), 0);
 }
 
+// Regression: it was ENDLESS 1 there.
+TEST(Panel, ADailyRunHasItsNameInItsReplayToo) {
+    Level level = *glassLevel("Row", {7});
+    level.name = EndlessName{20261126, 2}.text();
+    StageDef def = StageRig::twoLevels();
+    def.show = Show{std::make_shared<const Level>(level), 1, Mode::Standard,
+                    [](const Game&) { return std::optional(Input{}); }, 6000};
+    def.show->day = 20261126;
+    StageRig rig(std::move(def));
+    EXPECT_TRUE(rig.picture().says("Daily run 2026-11-26, level 2"));
+    rig.press(Command::Confirm); // takes over
+    EXPECT_TRUE(rig.picture().says("Daily run 2026-11-26, level 2"));
+}
+
 } // namespace
 } // namespace apart

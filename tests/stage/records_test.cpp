@@ -63,7 +63,7 @@ TEST(Daily, ItsScoreStandsOnTheTitleAndApartFromEndlessRuns) {
     StageRig rig(std::move(def));
     EXPECT_TRUE(rig.picture().says("Daily run 2026-11-26"));
     rig.clickItem(Action::Daily);
-    EXPECT_TRUE(rig.picture().says("DAILY 1   2026-11-26"));
+    EXPECT_TRUE(rig.picture().says("Daily run 2026-11-26, level 1"));
     EXPECT_EQ(rig.stage.game().seed(), dailySeed(kToday, 1));
     playToTheEnd(rig);
     const std::int32_t score = rig.stage.game().score();

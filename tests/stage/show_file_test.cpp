@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/assets.hpp>
+#include <apart/core/endless.hpp>
+#include <apart/stage/daily.hpp>
 #include <apart/stage/replay_store.hpp>
 #include <apart/stage/show_file.hpp>
 
@@ -53,6 +55,16 @@ TEST_F(ShowFile, AReplayOfALevelOfTheGameIsPlayed) {
     StageRig rig(std::move(def));
     rig.untilOver();
     EXPECT_EQ(rig.stage.game().stateHash(), replay.hashes.back().hash);
+}
+
+TEST_F(ShowFile, ADailyRunHasItsDay) {
+    constexpr Day kDay = 20261126;
+    const auto level = std::make_shared<const Level>(endlessLevel({kDay, 1}));
+    for (const std::uint32_t seed : {dailySeed(kDay, 1), dailySeed(kDay, 1) + 1}) {
+        EXPECT_EQ(keepReplay(folder_, {recordedGame(level, seed, 10)}, ""), "");
+        const auto show = showOf(folder_ / "last.replay", {});
+        EXPECT_EQ(std::get<Show>(show).day, seed == dailySeed(kDay, 1) ? kDay : 0);
+    }
 }
 
 } // namespace

@@ -17,6 +17,10 @@ std::string dayText(Day day) {
     return fmt::format("{:04}-{:02}-{:02}", day / 10000, day / 100 % 100, day % 100);
 }
 
+std::string dailyName(Day day) {
+    return "Daily run " + dayText(day);
+}
+
 std::string dailyKey(Day day) {
     return std::string(kPrefix) + dayText(day);
 }
@@ -42,6 +46,12 @@ bool isDaily(const ReplayRun& run, Day day) {
         }
     }
     return !run.empty();
+}
+
+std::optional<Day> dailyOf(const ReplayRun& run) {
+    const std::optional<EndlessName> first =
+        run.empty() ? std::nullopt : parseEndless(run[0].level);
+    return first && isDaily(run, first->seed) ? std::optional(first->seed) : std::nullopt;
 }
 
 } // namespace apart

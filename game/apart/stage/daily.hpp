@@ -16,6 +16,8 @@ using Day = std::uint32_t;
 
 /// "2026-11-26".
 std::string dayText(Day day);
+/// "Daily run 2026-11-26".
+std::string dailyName(Day day);
 /// Key of its scores: "daily-2026-11-26".
 std::string dailyKey(Day day);
 /// The day of such a key.
@@ -27,5 +29,7 @@ inline std::uint32_t dailySeed(Day day, std::uint32_t number) {
 }
 /// True if the run is one of this day: from its first level, with its seeds.
 bool isDaily(const ReplayRun& run, Day day);
+/// The day of a run, if it is one.
+std::optional<Day> dailyOf(const ReplayRun& run);
 
 } // namespace apart

@@ -23,8 +23,7 @@ std::string endlessLabel(const Records& records) {
 }
 
 std::string dailyLabel(Day today, const Records& records) {
-    return runLabel("Daily run " + dayText(today),
-                    records.provedScore(records.profile().mode, dailyKey(today)));
+    return runLabel(dailyName(today), records.provedScore(records.profile().mode, dailyKey(today)));
 }
 
 } // namespace

@@ -53,11 +53,11 @@ std::string dateOf(const std::filesystem::path& file) {
 std::string titleOf(const std::filesystem::path& file, const ReplayRun& run,
                     const LevelList& levels) {
     const std::string& name = run[0].level;
-    if (const std::optional<EndlessName> first = parseEndless(name)) {
+    if (parseEndless(name)) {
         const std::string count =
             run.size() > 1 ? fmt::format(", {} levels", run.size()) : std::string(", 1 level");
-        return (isDaily(run, first->seed) ? "Daily run " + dayText(first->seed) : "Endless") +
-               count;
+        const std::optional<Day> day = dailyOf(run);
+        return (day ? dailyName(*day) : "Endless") + count;
     }
     const auto listed = std::find_if(levels.begin(), levels.end(),
                                      [&](const auto& level) { return level->name == name; });

@@ -57,6 +57,7 @@ std::variant<Show, std::string> showOf(const std::shared_ptr<const ShowFile>& fi
     Show show{std::make_shared<const Level>(std::get<Level>(std::move(level))), replay.seed,
               replay.mode, pilotOf(replay), replay.end};
     show.hashes = replay.hashes;
+    show.day = dailyOf(file->run).value_or(0);
     if (number + 1 < file->run.size()) {
         show.next = [file, number] { return showOf(file, number + 1); };
     }

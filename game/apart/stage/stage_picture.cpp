@@ -178,15 +178,13 @@ void paintPaused(Canvas& canvas, const Menu& menu, std::string_view question, co
     paintQuestion(canvas, question, Real(1.6));
 }
 
-/// Position of a level in the list, or in an endless or a daily run.
-std::string placeOf(const Level& level, const LevelList& levels, const EndlessRun& run) {
-    const std::uint32_t number = run.number;
+/// Position of a level in the list, or in an endless run, or in the daily run of a day.
+std::string placeOf(const Level& level, const LevelList& levels, std::uint32_t number, Day day) {
     const std::optional<EndlessName> row = parseEndless(level.name);
-    if (run.day > 0) {
-        return fmt::format("DAILY {}   {}", number, dayText(run.day));
-    }
     if (row || number > 0) {
-        return fmt::format("ENDLESS {}", row ? row->number : number);
+        number = row ? row->number : number;
+        return day > 0 ? fmt::format("{}, level {}", dailyName(day), number)
+                       : fmt::format("ENDLESS {}", number);
     }
     const auto found = std::find_if(levels.begin(), levels.end(), [&](const auto& other) {
         return other->name == level.name && digestOf(*other) == digestOf(level);
@@ -208,7 +206,9 @@ std::string takenOverText(const ReplayList& list, const Theatre& theatre, std::u
 
 HudLook Stage::hudLook() const {
     HudLook look;
-    look.place = placeOf(game().level(), def_.levels, endless_);
+    const bool replay = session_.isShow() || session_.isWhatIf();
+    look.place = placeOf(game().level(), def_.levels, endless_.number,
+                         replay ? theatre_.show().day : endless_.day);
     look.scoreBefore = endless_.number > 0 ? endless_.score : 0;
     look.best = records_.provedScore(game().mode(), endless_.keyOf(game()));
     look.keys = profile().bindings;

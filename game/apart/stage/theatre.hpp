@@ -4,6 +4,7 @@
 #include <apart/core/replay.hpp>
 #include <apart/stage/canvas.hpp>
 #include <apart/stage/controls.hpp>
+#include <apart/stage/daily.hpp>
 
 #include <cstdint>
 #include <functional>
@@ -31,6 +32,7 @@ struct Show {
     /// last one.
     std::function<std::variant<Show, std::string>()> next{};
     std::vector<HashMark> hashes{}; // of the recording, by rising tick
+    Day day = 0;                    // of a daily run; 0: it is none
 };
 
 /// A replay of the player's list. `load` reads it, or gives the reason why it cannot be played.
