@@ -52,6 +52,37 @@ TEST(Endings, WhatEndsAGameWithoutPointsDoesNotAsk) {
     }
 }
 
+TEST(Endings, TheQuestionInTheFirstLevelOfARunSaysThatItHasNoScore) {
+    const std::string reason = ": left in its first level, a run has no score";
+    StageDef def = StageRig::twoLevels();
+    def.levels = {def.levels[1]};
+    def.endless = [](std::uint32_t, std::uint32_t number) {
+        return number == 1 ? glassLevel("Row 1", {4, 7}) : glassLevel("Row 2", {2, 7, 12});
+    };
+    StageRig rig(std::move(def));
+    const auto expectReason = [&](bool said) {
+        rig.press(Command::Restart);
+        EXPECT_TRUE(rig.picture().says("once more to start again"));
+        EXPECT_EQ(rig.picture().says("once more to start again" + reason), said);
+        rig.press(Command::Pause);
+        rig.clickItem(Action::ToTitle);
+        EXPECT_EQ(rig.picture().says("once more to leave the game" + reason), said);
+        rig.press(Command::Pause);
+    };
+    rig.clickItem(Action::Endless);
+    makePoints(rig);
+    expectReason(true);
+    playToTheEnd(rig);
+    ASSERT_EQ(rig.stage.game().result(), Result::Won);
+    rig.press(Command::Next);
+    expectReason(false);
+    rig.press(Command::Pause);
+    rig.clickItem(Action::ToTitle); // asked just before
+    rig.clickItem(Action::Play);    // no run
+    makePoints(rig);
+    expectReason(false);
+}
+
 // Regression: during the fanfare the score was lost.
 TEST(Endings, ClosingAndRestartingEnterAResultThatIsNotEnteredYet) {
     for (const bool closes : {true, false}) {

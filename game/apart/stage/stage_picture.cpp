@@ -92,11 +92,14 @@ void paintHeading(Canvas& canvas, std::string_view text) {
 
 /// `bottom`: lower edge, m.
 void paintQuestion(Canvas& canvas, std::string_view question, Real bottom) {
+    constexpr std::size_t kShort = 40; // letters
     if (!question.empty()) {
-        canvas.rectangle({{Real(-5.5), bottom}, {Real(5.5), bottom + Real(1.1)}},
-                         faded(palette::kInk, 0.9f), faded(palette::kInk, 0.9f));
-        canvas.text(question, {0, bottom + Real(0.35)},
-                    {Real(0.6), palette::kAccent, Typeface::Bold, Align::Middle, Real(10.6)});
+        const Real half = question.size() > kShort ? Real(11.5) : Real(5.5);
+        canvas.rectangle({{-half, bottom}, {half, bottom + Real(1.1)}}, faded(palette::kInk, 0.9f),
+                         faded(palette::kInk, 0.9f));
+        canvas.text(
+            question, {0, bottom + Real(0.35)},
+            {Real(0.6), palette::kAccent, Typeface::Bold, Align::Middle, 2 * half - Real(0.4)});
     }
 }
 
@@ -153,7 +156,7 @@ void paintPaused(Canvas& canvas, const Menu& menu, std::string_view question, co
     menu.draw(canvas);
     constexpr Real kIdeaRoom = 2 * layout::kRight - Real(0.6);
     Real y = Real(16.9);
-    for (const std::string& line : wrappedInto(2, level.idea, fitting(canvas, 80), 120)) {
+    for (const std::string& line : wrappedInto(2, level.idea, fitting(canvas, 80), 90)) {
         canvas.text(line, {0, y},
                     {Real(0.5), palette::kText, Typeface::Plain, Align::Middle, kIdeaRoom});
         y -= Real(0.8);
@@ -172,8 +175,7 @@ void paintPaused(Canvas& canvas, const Menu& menu, std::string_view question, co
     }
     if (look.takenOver) {
         canvas.text(look.foot + ": from there you play. The score does not count.",
-                    {0, top + Real(0.3)},
-                    quiet(Real(0.5), 2 * layout::kRight));
+                    {0, top + Real(0.35)}, quiet(Real(0.5), 2 * layout::kRight - Real(0.6)));
     }
     paintQuestion(canvas, question, Real(1.6));
 }
@@ -200,6 +202,13 @@ std::string takenOverText(const ReplayList& list, const Theatre& theatre, std::u
     const bool listed = list.shown && *list.shown < list.entries.size();
     const std::string date = listed ? list.entries[*list.shown].date + " " : "";
     return fmt::format("replay {}at {}", date, theatre.timeText(tick));
+}
+
+/// The pending question of a game. One that ends a run in its first level says what is lost.
+std::string questionOf(std::string_view question, const Session& session, const EndlessRun& run) {
+    const bool first = session.kind() == Session::Kind::Own && run.number > 0 && run.before.empty();
+    return std::string(question) +
+           (question.empty() || !first ? "" : ": left in its first level, a run has no score");
 }
 
 } // namespace
@@ -263,6 +272,7 @@ void Stage::draw(Canvas& canvas) const {
     if (!shown.wide) {
         paintHud(canvas, game(), hudLook());
     }
+    const std::string question = questionOf(confirm_.question(seconds_), session_, endless_);
     switch (screen_) {
     case Screen::Title:
         return drawTitle(canvas);
@@ -289,9 +299,8 @@ void Stage::draw(Canvas& canvas) const {
                                 replays_.leadsFrom(session_) ? "all replays" : "menu");
         }
         paintReload(canvas, reload_, seconds_);
-        paintQuestion(canvas, confirm_.question(seconds_), Real(4.3)); // if there is one
-        if (confirm_.question(seconds_).empty() && reload_.faults.empty() &&
-            !reload_.hasNews(seconds_)) {
+        paintQuestion(canvas, question, Real(4.3)); // if there is one
+        if (question.empty() && reload_.faults.empty() && !reload_.hasNews(seconds_)) {
             paintServeHint(canvas, game(), profile().bindings);
         }
         if (game().result() == Result::Won) {
@@ -299,7 +308,7 @@ void Stage::draw(Canvas& canvas) const {
         }
         return;
     case Screen::Paused:
-        paintPaused(canvas, menu_, confirm_.question(seconds_), hudLook(), game().level());
+        paintPaused(canvas, menu_, question, hudLook(), game().level());
         return paintNotices(canvas, reload_.notes(), kGameNotices);
     case Screen::Over:
         paintVeil(canvas, faded(palette::kNight, rerun_ ? 0.55f : 0.72f));
