@@ -13,6 +13,7 @@
 #include <map>
 
 #include "stage_rig.hpp"
+#include "text_bounds.hpp"
 
 namespace apart {
 namespace {
@@ -230,6 +231,48 @@ TEST(HelpPage, TurnsToAPageOfAllPowersAndBack) {
     EXPECT_EQ(rig.stage.screen(), Screen::Title);
     rig.clickItem(Action::Help);
     EXPECT_FALSE(rig.picture().says("The powers")) << "it opens at the first page";
+}
+
+// Regression: the words of the combo were cut by the upper edge.
+TEST(HelpPage, WordsOfAGameStayInsideTheFrameOfItsScene) {
+    for (const int percent : {100, 140}) {
+        Settings settings;
+        settings.text = percent;
+        HelpPage page{settings};
+        int words = 0;
+        for (int i = 0; i < 60 * 11; ++i) {
+            page.advance(1.0 / 60);
+            RecordingCanvas canvas;
+            canvas.setWindow({1280, 800});
+            canvas.begin(layout::kShownTitle, {});
+            canvas.setTextScale(static_cast<Real>(percent) / 100);
+            page.draw(canvas, Bindings{});
+            const auto& strokes = canvas.strokes();
+            const auto isFrame = [](const Stroke& stroke) {
+                return stroke.kind == Stroke::Kind::Outline && stroke.color.a == 153 &&
+                       stroke.color.r == palette::kMachine.r;
+            };
+            const auto frames = std::find_if(strokes.begin(), strokes.end(), isFrame);
+            ASSERT_NE(frames, strokes.end());
+            const Real height = Real(16.7) - frames->place.y; // of the first row
+            for (auto text = strokes.begin(); text != frames; ++text) {
+                if (text->kind != Stroke::Kind::Text || text->place.y < 0) {
+                    continue;
+                }
+                const Aabb bounds = boundsOf(*text, canvas, Real(1280) / Real(31.2));
+                ++words;
+                EXPECT_TRUE(std::any_of(
+                    frames, strokes.end(),
+                    [&](const Stroke& frame) {
+                        return isFrame(frame) &&
+                               Aabb{frame.place, frame.place + Vec2{Real(9.2), height}}.contains(
+                                   bounds);
+                    }))
+                    << text->text << " at " << i;
+            }
+        }
+        EXPECT_GT(words, 100);
+    }
 }
 
 TEST(HelpPage, DrawsFewPrimitives) {

@@ -6,6 +6,7 @@
 #include <apart/stage/cracks.hpp>
 #include <apart/stage/debris.hpp>
 #include <apart/stage/flashes.hpp>
+#include <apart/stage/layout.hpp>
 #include <apart/stage/player_settings.hpp>
 #include <apart/stage/popups.hpp>
 #include <apart/stage/ripples.hpp>
@@ -26,7 +27,9 @@ struct ImpactResponse {
 /// same game gives the same picture.
 class Juice {
 public:
-    Juice(std::uint32_t seed, const Settings& settings) : sparks_(seed), debris_(seed) {
+    /// `words`: the part of the field for words (m).
+    Juice(std::uint32_t seed, const Settings& settings, const Aabb& words = layout::kField)
+        : sparks_(seed), debris_(seed), popups_(words) {
         setSettings(settings);
     }
 

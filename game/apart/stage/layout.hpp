@@ -10,6 +10,7 @@ namespace apart::layout {
 inline constexpr Real kRight = kFieldWidth / 2;
 inline constexpr Real kLeft = -kRight;
 inline constexpr Real kTop = kFieldHeight;
+inline constexpr Aabb kField{{kLeft, 0}, {kRight, kTop}};
 inline constexpr Real kFrame = Real(0.45); // drawn thickness of the walls
 
 /// The panel with score and lives, right of the field.

@@ -17,9 +17,10 @@ namespace apart {
 /// A game with its picture and sound.
 class Play {
 public:
+    /// `words`: the part of the field for words of the game (m).
     Play(std::shared_ptr<const Level> level, std::uint32_t seed, Mode mode,
-         const Settings& settings)
-        : level_(level), game_(std::move(level), seed, mode), juice_(seed, settings) {}
+         const Settings& settings, const Aabb& words = layout::kField)
+        : level_(level), game_(std::move(level), seed, mode), juice_(seed, settings, words) {}
 
     void tick(const Input& input, Speaker& speaker);
     /// Draws the state between the previous tick (share 0) and the latest one (share 1).

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <apart/stage/layout.hpp>
 #include <apart/stage/popups.hpp>
 
 #include <fmt/format.h>
@@ -50,13 +49,6 @@ Aabb wholeWay(const Popup& popup) {
     return box;
 }
 
-/// Clamps a position to the field, including the rise.
-Vec2 heldIn(const Popup& popup) {
-    const Real reach = std::max(layout::kRight - halfWidth(popup), Real(0));
-    return {std::clamp(popup.place.x, -reach, reach),
-            std::clamp(popup.place.y, Real(0), layout::kTop - kRise - tall(popup))};
-}
-
 } // namespace
 
 Vec2 Popup::placeNow() const {
@@ -81,6 +73,15 @@ Vec2 Popup::placeIn(const Aabb& shown) const {
 
 float Popup::left() const {
     return std::clamp(2 - 2 * static_cast<float>(age) / kLife, 0.0f, 1.0f);
+}
+
+/// Clamps a position to the room, including the rise.
+Vec2 Popups::heldIn(const Popup& popup) const {
+    const Real middle = room_.center().x;
+    const Real reach = std::max(room_.extent().x / 2 - halfWidth(popup), Real(0));
+    const Real highest = std::max(room_.upper.y - kRise - tall(popup), room_.lower.y);
+    return {std::clamp(popup.place.x, middle - reach, middle + reach),
+            std::clamp(popup.place.y, room_.lower.y, highest)};
 }
 
 bool Popups::joins(const Popup& popup) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <apart/stage/canvas.hpp>
+#include <apart/stage/layout.hpp>
 
 #include <span>
 #include <string>
@@ -32,9 +33,12 @@ struct Popup {
 /// All visible popups, placed without overlap.
 class Popups {
 public:
+    /// `room`: the part of the field for all popups (m).
+    explicit Popups(const Aabb& room = layout::kField) : room_(room) {}
+
     /// Points are added to a recent popup nearby, which keeps a chain of breaks legible. A recent
     /// nearby popup with the same text is kept instead of a new one. Other popups move up or down
-    /// until they overlap no popup. All positions stay inside the field.
+    /// until they overlap no popup. All positions stay inside the room.
     /// A popup moves up, down or aside, as little as possible, off `busy` areas, where something
     /// breaks, and over as few `solid` ones as possible, where something stands (m).
     void add(Popup popup, std::span<const Aabb> busy = {}, std::span<const Aabb> solid = {});
@@ -44,9 +48,11 @@ public:
 
 private:
     bool joins(const Popup& popup);
+    Vec2 heldIn(const Popup& popup) const;
     Vec2 freePlace(Popup popup, std::span<const Aabb> busy, std::span<const Aabb> solid) const;
 
     std::vector<Popup> popups_;
+    Aabb room_;
 };
 
 } // namespace apart
