@@ -16,6 +16,19 @@ using scenes::Vec2;
 
 constexpr int kPerStep = 100; // rays, or bodies that are removed and added
 
+/// Casts so many rays of 20 m in each step, from the square of this side (m) at the origin.
+void castRays(Scene& scene, int rays, double side, std::uint64_t seed) {
+    scene.every = 1;
+    scene.actIsTimed = true;
+    scene.act = [=, random = std::make_shared<Dice>(seed)](Stage& stage, int) {
+        for (int i = 0; i < rays; ++i) {
+            const Vec2 from{random->between(0, side), random->between(0, side)};
+            const Vec2 way = 20.0 * scenes::direction(random->between(0, 1));
+            stage.engine().rayCast(from, from + way);
+        }
+    };
+}
+
 } // namespace
 
 /// 200 balls and boxes bounce on a floor of static tiles.
@@ -55,22 +68,12 @@ Scene rays(int size, std::uint64_t seed) {
         scene.def.bodies.back().category = 1; // its mask has another one: no collisions
         scene.def.bodies.back().mask = 2;
     }
-    scene.every = 1;
-    scene.actIsTimed = true;
-    const auto random = std::make_shared<Dice>(seed + 1);
-    scene.act = [=](Stage& stage, int) {
-        for (int i = 0; i < kPerStep; ++i) {
-            const Vec2 from{random->between(0, side), random->between(0, side)};
-            const Vec2 way = 20.0 * scenes::direction(random->between(0, 1));
-            stage.engine().rayCast(from, from + way);
-        }
-    };
+    castRays(scene, kPerStep, side, seed + 1);
     return scene;
 }
 
 /// Rays of 20 m among balls that fly about in a closed box.
 Scene flying(int size, std::uint64_t seed) {
-    constexpr int kRays = 10;
     Dice dice(seed);
     Scene scene;
     scene.def = {"flying", {}, {}};
@@ -85,16 +88,7 @@ Scene flying(int size, std::uint64_t seed) {
         scene.def.bodies.push_back(scenes::ball(0.2, at, springy));
         scene.def.bodies.back().velocity = {dice.between(-5, 5), dice.between(-5, 5)};
     }
-    scene.every = 1;
-    scene.actIsTimed = true;
-    const auto random = std::make_shared<Dice>(seed + 1);
-    scene.act = [=](Stage& stage, int) {
-        for (int i = 0; i < kRays; ++i) {
-            const Vec2 from{random->between(0, side), random->between(0, side)};
-            const Vec2 way = 20.0 * scenes::direction(random->between(0, 1));
-            stage.engine().rayCast(from, from + way);
-        }
-    };
+    castRays(scene, 10, side, seed + 1);
     scene.warmUp = 60;
     return scene;
 }

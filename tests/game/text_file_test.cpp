@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/text_file.hpp>
+#include <support/folder_test.hpp>
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -15,23 +16,17 @@ namespace fs = std::filesystem;
 
 constexpr const char* kNoFile = "is a pipe, a device or a socket, not a file";
 
-/// Provides a separate folder for each test.
-class TextFile : public testing::Test {
+class TextFile : public support::FolderTest {
 protected:
     void SetUp() override {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = fs::path(testing::TempDir()) / "apart-text-file" / test->name();
-        fs::remove_all(folder_);
+        FolderTest::SetUp();
         fs::create_directories(folder_);
     }
-    void TearDown() override { fs::remove_all(folder_); }
 
     static std::string reasonOf(const Read<std::string>& read) {
         const auto* problem = std::get_if<FileProblem>(&read);
         return problem != nullptr ? problem->reason : "";
     }
-
-    fs::path folder_;
 };
 
 // D6: reading a pipe or a device might never end.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <apart/stage/own_levels.hpp>
+#include <support/folder_test.hpp>
 
 #include <gtest/gtest.h>
 
@@ -14,16 +15,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Provides a separate folder for each test.
-class OwnLevels : public testing::Test {
+class OwnLevels : public support::FolderTest {
 protected:
     void SetUp() override {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = fs::path(testing::TempDir()) / "apart-own-levels" / test->name();
-        fs::remove_all(folder_);
+        FolderTest::SetUp();
         fs::create_directories(folder_);
     }
-    void TearDown() override { fs::remove_all(folder_); }
 
     fs::path write(const std::string& name) const {
         std::ofstream(folder_ / name) << "format = 1\ntitle = \"Mine\"\nidea = \"One block.\"\n"
@@ -49,7 +46,6 @@ protected:
     std::vector<fs::path> folders_;
     std::vector<Profile> saved_;
     std::vector<std::string> replays_;
-    fs::path folder_;
 };
 
 TEST_F(OwnLevels, AFileWithTheNameOfAnotherLevelIsPlayedWithoutRecords) {

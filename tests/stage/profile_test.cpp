@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <apart/stage/profile_file.hpp>
+#include <support/folder_test.hpp>
 
 #include <gtest/gtest.h>
 
@@ -13,16 +14,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Provides a separate folder for each test.
-class ProfileFile : public testing::Test {
+class ProfileFile : public support::FolderTest {
 protected:
     void SetUp() override {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = fs::path(testing::TempDir()) / "apart-profile" / test->name();
-        fs::remove_all(folder_);
+        FolderTest::SetUp();
         file_ = folder_ / "apart" / "profile.toml";
     }
-    void TearDown() override { fs::remove_all(folder_); }
 
     void write(const std::string& text) const {
         fs::create_directories(file_.parent_path());
@@ -33,7 +30,6 @@ protected:
         return {std::istreambuf_iterator<char>(stream), {}};
     }
 
-    fs::path folder_;
     fs::path file_;
 };
 

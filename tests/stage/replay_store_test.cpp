@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <apart/stage/replay_store.hpp>
+#include <support/folder_test.hpp>
 
 #include <gtest/gtest.h>
 
@@ -14,15 +15,12 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Provides a separate folder for each test, and a recorded game.
-class ReplayStore : public testing::Test {
+class ReplayStore : public support::FolderTest {
 protected:
     void SetUp() override {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = fs::path(testing::TempDir()) / "apart-replays" / test->name();
-        fs::remove_all(folder_);
+        FolderTest::SetUp();
         best_ = bestFile(folder_, Mode::Standard, level_->name);
     }
-    void TearDown() override { fs::remove_all(folder_); }
 
     void write(const std::string& text) const {
         fs::create_directories(best_.parent_path());
@@ -43,7 +41,6 @@ protected:
 
     std::shared_ptr<const Level> level_ = glassLevel("One block", {7});
     Replay game_ = recordedGame(level_, 3);
-    fs::path folder_;
     fs::path best_;
 };
 

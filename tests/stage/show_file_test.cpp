@@ -4,6 +4,7 @@
 #include <apart/stage/daily.hpp>
 #include <apart/stage/replay_store.hpp>
 #include <apart/stage/show_file.hpp>
+#include <support/folder_test.hpp>
 
 #include <gtest/gtest.h>
 
@@ -16,18 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Provides a separate folder for each test.
-class ShowFile : public testing::Test {
-protected:
-    void SetUp() override {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = fs::path(testing::TempDir()) / "apart-shows" / test->name();
-        fs::remove_all(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
-    fs::path folder_;
-};
+class ShowFile : public support::FolderTest {};
 
 // Regression: the message had the names of all levels, and a path that never existed.
 TEST_F(ShowFile, AMissingLevelIsNamedInOneLineWithThePlaceOfOwnLevels) {

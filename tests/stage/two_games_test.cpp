@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <apart/stage/profile_file.hpp>
 #include <apart/stage/replay_store.hpp>
+#include <support/folder_test.hpp>
 
 #include <gtest/gtest.h>
 
@@ -28,12 +29,10 @@ Records::Result resultOf(const std::shared_ptr<const Level>& level, std::uint32_
 }
 
 /// Games that run at once on one folder: each has read the profile at its start.
-class TwoGames : public testing::Test {
+class TwoGames : public support::FolderTest {
 protected:
     void SetUp() override {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = fs::path(testing::TempDir()) / "apart-two-games" / test->name();
-        fs::remove_all(folder_);
+        FolderTest::SetUp();
         for (std::uint32_t seed = 1; seed < 20 && better_.best.score == worse_.best.score; ++seed) {
             better_ = resultOf(level_, seed);
         }
@@ -42,7 +41,6 @@ protected:
         }
         ASSERT_GT(better_.best.score, worse_.best.score);
     }
-    void TearDown() override { fs::remove_all(folder_); }
 
     fs::path file() const { return folder_ / "profile.toml"; }
     Records start(bool withProfile = true) const {
@@ -73,7 +71,6 @@ protected:
     std::shared_ptr<const Level> level_ = glassLevel("Three blocks", {2, 7, 12});
     Records::Result worse_ = resultOf(level_, 3);
     Records::Result better_ = worse_;
-    fs::path folder_;
 };
 
 TEST_F(TwoGames, TheBetterScoreStaysIfTheWorseEndsLast) {

@@ -55,9 +55,9 @@ public:
 
     /// Throws BadDefinition with what check(def) says.
     BodyId add(const BodyDef& def);
-    /// Removes a body and its joints, and wakes what touches it. Costs its own contacts and joints.
-    /// The first removal after a step in a large World finds its data out of the cache. With each
-    /// joint, ordered lists of all joints move up: 50 us of 60,000.
+    /// Removes a body and its joints, and wakes what touches it. Costs its own contacts and joints,
+    /// whatever else the World holds. In a large World the first removal after a step takes longer,
+    /// since its data are not in the cache.
     void remove(BodyId id);
     /// Adds a copy of a body at another position (m, world: of the shape's frame).
     BodyId clone(BodyId id, Vec2 position);

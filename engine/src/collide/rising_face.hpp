@@ -27,7 +27,8 @@ struct CarryingFace {
 /// shape turns where it touches both, and loses only v sin(bend).
 ///
 /// `found`: contact of the piece (body a) with the shape (body b). Empty unless all of its points
-/// are at such a vertex. Without a point if the shape is farther than the margin from the face.
+/// are at such a vertex; if it has none, the face must rise gently, as tiles ahead in a step do.
+/// Without a point if the shape is farther than the margin from the face.
 std::optional<Manifold> contactWithRisingFace(const ConvexShape& ground, const Transform& a,
                                               const ConvexShape& other, const Transform& b,
                                               const Manifold& found, const CarryingFace& carrying);

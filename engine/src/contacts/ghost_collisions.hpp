@@ -14,10 +14,10 @@ inline namespace KODO_PRECISION {
 ///
 /// A body that slides over two flush immovable pieces touches the side or a corner of the second.
 /// If the whole second piece lies below the surface that carries the body, that contact is hidden
-/// for the step. If the piece rises from the surface, a contact at its lowest vertex becomes one
-/// with the face that rises. A real step or wall keeps its contact. Only contacts
-/// of the same part are compared: another part, such as a fork around a wall, may be below the
-/// surface.
+/// for the step. If the piece rises from the surface, even by less than a slop, a contact at its
+/// lowest vertex becomes one with the face that rises. A real step or wall keeps its contact. Only
+/// contacts of the same part are compared: another part, such as a fork around a wall, may be below
+/// the surface.
 class GhostCollisions {
 public:
     /// Sizes the array by body.

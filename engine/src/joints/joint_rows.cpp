@@ -170,9 +170,6 @@ Real AxisConstraint::missing(const BodyVelocity& a, const BodyVelocity& b, Real 
         const Real turned = angle.removed(biased);
         k = mass + (1 - turned) * (k - mass) + turned * together;
         now += angle.missing(a, b, biased) * (a.invInertia * leverA + b.invInertia * leverB);
-        if (!(k > 0)) {
-            return 0; // both bodies can only rotate: the angle leaves no motion along the axis
-        }
     }
     if (const PointConstraint* point = beside.point) {
         const Vec2 u =
@@ -180,9 +177,9 @@ Real AxisConstraint::missing(const BodyVelocity& a, const BodyVelocity& b, Real 
         now += dot(u, point->missing(a, b, beside.impulse, beside.biased));
         const Real fraction = beside.biased ? point->softness.massScale : 1;
         k = (1 - fraction) * k + fraction * point->hinged(a, b);
-        if (!(k > 0)) {
-            return 0; // both bodies can only rotate: the point leaves no angle free
-        }
+    }
+    if (!(k > 0)) {
+        return 0; // both bodies can only rotate: the other constraint leaves no motion free
     }
     const Real wanted = impulse - soft.massScale * now / k - soft.impulseScale * impulse;
     return std::clamp(wanted, bounds.lower, bounds.upper) - impulse;
