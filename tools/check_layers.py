@@ -11,7 +11,10 @@ sys.dont_write_bytecode = True  # leave no __pycache__ beside the tools
 from check_sizes import blank_comments_and_strings, run  # noqa: E402
 
 # Folders of engine/src, lowest first: each may include the folders before it.
-ENGINE = "base math shapes broad collide bodies contacts joints solve world".split()
+ENGINE = (
+    "base math shapes broad collide bodies contacts joints lanes impacts soft propagation"
+    " continuous sleep world"
+).split()
 
 # Public headers, engine/include/kodo/NAME.hpp, by the layer that they belong to. A folder of the
 # engine may include those of its own layer and of lower ones.

@@ -5,7 +5,6 @@
 #include <scenes/in_kodo.hpp>
 
 #include "contacts/contact.hpp"
-#include "solve/contact_block.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,6 +14,7 @@
 
 #include "bench_engine.hpp"
 #include "heap.hpp"
+#include "lanes/contact_block.hpp"
 
 namespace bench::KODO_PRECISION {
 namespace {

@@ -3,13 +3,14 @@
 
 #include "bodies/integrate.hpp"
 #include "contacts/contact_set.hpp"
-#include "solve/contact_blocks.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <memory>
 #include <vector>
+
+#include "lanes/contact_blocks.hpp"
 
 namespace kodo {
 namespace {

@@ -2,7 +2,6 @@
 #include <support/random_numbers.hpp>
 
 #include "contacts/contact_update.hpp"
-#include "solve/contact_blocks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +9,8 @@
 #include <iterator>
 #include <set>
 #include <vector>
+
+#include "lanes/contact_blocks.hpp"
 
 namespace kodo {
 namespace {

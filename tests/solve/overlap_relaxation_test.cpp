@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <support/same_bits.hpp>
 
-#include "solve/overlap_relaxation.hpp"
-
 #include <gtest/gtest.h>
 #include <solve/random_blocks.hpp>
 
 #include <limits>
 #include <vector>
+
+#include "soft/overlap_relaxation.hpp"
 
 namespace kodo {
 namespace {

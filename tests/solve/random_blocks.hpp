@@ -3,9 +3,9 @@
 
 #include <support/random_numbers.hpp>
 
-#include "solve/contact_block.hpp"
-
 #include <vector>
+
+#include "lanes/contact_block.hpp"
 
 namespace kodo {
 

@@ -4,10 +4,11 @@
 #include <support/random_numbers.hpp>
 
 #include "joints/joint_rows.hpp"
-#include "solve/contact_block.hpp"
-#include "solve/revolute_block.hpp"
 
 #include <vector>
+
+#include "lanes/contact_block.hpp"
+#include "soft/revolute_block.hpp"
 
 namespace kodo {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <support/random_numbers.hpp>
 
-#include "solve/shock_levels.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <vector>
+
+#include "propagation/shock_levels.hpp"
 
 namespace {
 

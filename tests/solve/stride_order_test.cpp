@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "solve/stride_order.hpp"
-
 #include <gtest/gtest.h>
 
 #include <numeric>
 #include <vector>
+
+#include "propagation/stride_order.hpp"
 
 namespace {
 

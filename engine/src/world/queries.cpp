@@ -150,12 +150,12 @@ struct Candidate {
 template <typename Surely, typename Visit>
 void forOverlapping(const QueryScope& scope, std::span<const ConvexShape> convexes,
                     const Transform& at, Surely overlapsSurely, Visit visit) {
-    struct Pair {
+    struct PartPair {
         std::uint32_t body;
         std::uint32_t part;
         std::uint32_t convex;
     };
-    SmallVector<Pair, 32> pairs;
+    SmallVector<PartPair, 32> pairs;
     for (std::uint32_t i = 0; i < convexes.size(); ++i) {
         scope.forPartsIn(withRounding(boundsOf(convexes[i], at)),
                          [&](std::uint32_t body, std::uint32_t part) {
@@ -163,11 +163,11 @@ void forOverlapping(const QueryScope& scope, std::span<const ConvexShape> convex
                          });
     }
     std::sort(pairs.begin(), pairs.end(), // total order: pairs are distinct
-              [](const Pair& a, const Pair& b) {
+              [](const PartPair& a, const PartPair& b) {
                   return std::tie(a.body, a.part, a.convex) < std::tie(b.body, b.part, b.convex);
               });
     for (std::size_t i = 0; i < pairs.size();) {
-        const Pair& pair = pairs[i++];
+        const PartPair& pair = pairs[i++];
         const ConvexShape& convex = scope.convex(pair.body, pair.part);
         const Transform& pose = scope.pose(pair.body);
         if (!overlapsSurely(convex, pose) &&

@@ -3,13 +3,14 @@
 
 #include "contacts/contact_set.hpp"
 #include "joints/joint_set.hpp"
-#include "solve/contact_blocks.hpp"
 #include "world/parked_contacts.hpp"
 #include "world/query_tree.hpp"
 
 #include <optional>
 #include <utility>
 #include <vector>
+
+#include "lanes/contact_blocks.hpp"
 
 namespace kodo {
 inline namespace KODO_PRECISION {

@@ -6,11 +6,6 @@
 
 #include "bodies/flag_blocks.hpp"
 #include "contacts/contact_set.hpp"
-#include "solve/continuous_collision.hpp"
-#include "solve/impact_solver.hpp"
-#include "solve/propagation.hpp"
-#include "solve/sleep_system.hpp"
-#include "solve/soft_solver.hpp"
 #include "world/change_guard.hpp"
 #include "world/query_tree.hpp"
 #include "world/region.hpp"
@@ -18,6 +13,12 @@
 #include <optional>
 #include <span>
 #include <vector>
+
+#include "continuous/continuous_collision.hpp"
+#include "impacts/impact_solver.hpp"
+#include "propagation/propagation.hpp"
+#include "sleep/sleep_system.hpp"
+#include "soft/soft_solver.hpp"
 
 namespace kodo {
 inline namespace KODO_PRECISION {

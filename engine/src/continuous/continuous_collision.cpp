@@ -1,0 +1,400 @@
+// SPDX-License-Identifier: MIT
+#include "continuous/continuous_collision.hpp"
+
+#include <kodo/geometry.hpp>
+
+#include "base/prefetch.hpp"
+#include "base/vector_reuse.hpp"
+#include "collide/time_of_impact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "continuous/allowed_approach.hpp"
+#include "continuous/relative_motion.hpp"
+#include "continuous/stop_motion.hpp"
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+namespace {
+
+constexpr std::size_t kPairsPerPiece = 256;
+constexpr std::size_t kCandidatesPerPiece = 64;
+/// Fraction of the slop at which a separated pair is stopped before it touches. In a glancing
+/// impact the normal of a round body is off by this distance relative to its size. Positions
+/// resolve this distance up to 64 m from the origin in float, and up to 3e8 m in double. Farther
+/// out, a stopped pair may overlap by a rounding error.
+constexpr Real kStopShort = sizeof(Real) == 4 ? Real(1) / 1024 : Real(1) / 65536;
+
+Real gapOf(const Contact& contact, const Tolerances& tolerances) {
+    return contact.manifold.count > 0 ? contact.manifold.points[0].separation : tolerances.margin;
+}
+
+/// The same for a pair without a sensor, from its summary.
+Real gapOf(const ContactSummary& summary, const Tolerances& tolerances) {
+    return summary.meets ? summary.separation[0] : tolerances.margin;
+}
+
+/// Separation (m) at which to stop a pair that has the separation `gap` and approaches by `motion`
+/// (m). No value if the pair needs no continuous collision: it cannot come that close within the
+/// step, or the overlap would do no harm.
+///
+/// A separated pair is stopped just before it touches. A touching pair that moves too far for its
+/// contact points is stopped before it tunnels.
+std::optional<Real> stoppingGap(const Bodies& bodies, const Contact& contact, Real gap, Real motion,
+                                const StepSettings& settings, const Tolerances& tolerances) {
+    const auto& [bodyA, partA, bodyB, partB] = contact.key;
+    if (contact.hidden || contact.passing) {
+        return std::nullopt;
+    }
+    const ConvexShape& shapeA = bodies.convex(bodyA, partA);
+    const ConvexShape& shapeB = bodies.convex(bodyB, partB);
+    if (motion < gap) {
+        return std::nullopt;
+    }
+    const Real near = kStopShort * tolerances.slop;
+    if (contact.sensor) { // nothing holds it apart, however near it begins
+        return gap > 0 ? std::optional(std::min(near, gap / 2)) : std::nullopt;
+    }
+    const bool againstLocked = bodies.locked(bodyA) || bodies.locked(bodyB);
+    const bool far = motion > allowedApproach(shapeA.coreRadius, shapeB.coreRadius, againstLocked);
+    if (gap > tolerances.slop) {
+        const bool bounces = contact.bounces && settings.has(Feature::Restitution);
+        return bounces || far ? std::optional(near) : std::nullopt;
+    }
+    // Past the centres of both parts, contact points would separate them to the wrong side.
+    const Real thickness = shapeA.coreRadius + shapeB.coreRadius;
+    const Real deepest = std::min(4 * tolerances.slop, thickness);
+    const bool holds = !far || motion < thickness / 2 || shapeA.oneSided || shapeB.oneSided;
+    if (deepest < near) { // once as near as that, the pair may slide, or part
+        return holds || gap <= 2 * near ? std::nullopt : std::optional(near);
+    }
+    return holds || gap < -deepest / 4 ? std::nullopt : std::optional(-deepest);
+}
+
+/// True if a pair without a locked body may approach by more than `far` (m). The test needs no
+/// square root, and rejects most pairs that move together.
+bool mayGoFarther(const Bodies& bodies, const ContactSummary& summary, Real far) {
+    const BodyVelocity& a = bodies.motion[summary.bodyA];
+    const BodyVelocity& b = bodies.motion[summary.bodyB];
+    const Real rotationReach = bodies.extent[summary.bodyA].reachOfTurn(a.deltaAngle) +
+                               bodies.extent[summary.bodyB].reachOfTurn(b.deltaAngle);
+    const Real room = far - rotationReach;
+    return room < 0 || lengthSquared(b.deltaPosition - a.deltaPosition) > room * room;
+}
+
+/// True if the bounds of two shapes meet on their paths while no body is stopped.
+bool mayMeet(const Bodies& bodies, const PartBounds& bounds, const ContactSummary& summary,
+             const Tolerances& tolerances) {
+    const Octagon& boundsA = bounds.tight(summary.proxies.first);
+    const Octagon& boundsB = bounds.tight(summary.proxies.second);
+    const BodyVelocity& motionA = bodies.motion[summary.bodyA];
+    const BodyVelocity& motionB = bodies.motion[summary.bodyB];
+    const Real rotationReach = bodies.extent[summary.bodyA].reachOfTurn(motionA.deltaAngle) +
+                               bodies.extent[summary.bodyB].reachOfTurn(motionB.deltaAngle);
+    const Octagon way =
+        unite(boundsB, boundsB.moved(motionB.deltaPosition - motionA.deltaPosition));
+    return overlap(boundsA.grown(rotationReach + tolerances.slop), way);
+}
+
+/// True if a pair may meet in this step while no body is stopped. It uses the core radius of whole
+/// bodies, which is that of their thinnest part. stoppingGap() decides exactly.
+bool closes(const Bodies& bodies, const PartBounds& bounds, const ContactSummary& summary,
+            const Tolerances& tolerances) {
+    const Extent& extentA = bodies.extent[summary.bodyA];
+    const Extent& extentB = bodies.extent[summary.bodyB];
+    const bool againstLocked = bodies.locked(summary.bodyA) || bodies.locked(summary.bodyB);
+    const Real far = allowedApproach(extentA.coreRadius, extentB.coreRadius, againstLocked);
+    // relativeMotion() measures the motion against a locked body relative to that body.
+    if (!summary.bounces && !againstLocked && !mayGoFarther(bodies, summary, far)) {
+        return false; // most pairs of a pile
+    }
+    const Mover a{summary.bodyA, extentA.rotationReach};
+    const Mover b{summary.bodyB, extentB.rotationReach};
+    const Real motion = relativeMotion(bodies, a, b);
+    const Real gap = gapOf(summary, tolerances);
+    if (motion < gap || (motion <= far && !summary.bounces)) {
+        return false;
+    }
+    // A line holds one end of a thin body at a corner, also far below, while the other end may turn
+    // through it.
+    const bool thin = extentA.coreRadius + extentB.coreRadius < tolerances.slop;
+    const bool mayBeThrough = motion > far &&
+                              motion >= (extentA.coreRadius + extentB.coreRadius) / 2 &&
+                              (thin || gap >= -tolerances.slop);
+    return (gap > tolerances.slop || mayBeThrough) && mayMeet(bodies, bounds, summary, tolerances);
+}
+
+/// Order of the heap: the earliest event on top, equal times in the order of the keys of contacts.
+template <typename Event>
+bool later(const Event& e, const Event& f) {
+    return e.time > f.time || (e.time == f.time && f.key < e.key);
+}
+
+} // namespace
+
+void ContinuousCollision::makeRoom(const Bodies& bodies) {
+    resizeByBody(swift_, bodies);             // all 0 between steps
+    resizeByBody(stopAt_, bodies, Real(1));   // all 1 between steps
+    resizeByBody(push_, bodies);              // all 0 between steps
+    resizeByBody(first_, bodies, kNoContact); // all kNoContact between steps
+}
+
+/// Marks the swift bodies. A pair without a swift body needs no continuous collision, for one of
+/// two reasons. It cannot close a gap wider than the slop, and closes a narrower one by less than
+/// half of the core radii. Or no contact has restitution, and each body moves by at most half of
+/// what the thinnest body may enter a locked one. False if no body is swift.
+bool ContinuousCollision::markSwift(const Bodies& bodies, bool mayBounce,
+                                    const Tolerances& tolerances, WorkerTeam& team) {
+    const Real unseen =
+        mayBounce ? Real(0) : allowedApproach(bodies.thinnest, bodies.thinnest, true) / 2;
+    std::uint8_t anySwift = 0;
+    team.forEach(bodies.awake.size(), kPairsPerPiece, [&](std::size_t first, std::size_t last) {
+        for (std::size_t k = first; k < last; ++k) {
+            const std::uint32_t body = bodies.awake[k];
+            const BodyVelocity& motion = bodies.motion[body];
+            const Extent& extent = bodies.extent[body];
+            const Real way =
+                length(motion.deltaPosition) + std::abs(motion.deltaAngle) * extent.rotationReach;
+            if (way > unseen && !(way <= tolerances.slop / 2 && way < extent.coreRadius / 4)) {
+                swift_[body] = 1;
+                WorkerTeam::mark(anySwift);
+            }
+        }
+    });
+    return anySwift != 0;
+}
+
+void ContinuousCollision::run(Bodies& bodies, ContactSet& contactSet, const JointSet& joints,
+                              const Parameters& parameters, WorkerTeam& team) {
+    const auto& [settings, tolerances, dt] = parameters;
+    candidates_.clear();
+    stoppedAtLines_.clear();
+    bool sensors = false;
+    if (markSwift(bodies, contactSet.mayBounce(), tolerances, team) ||
+        contactSet.mayHaveSensors()) {
+        sensors = findCandidates(bodies, contactSet, tolerances, team);
+    }
+    if (!candidates_.empty() || sensors) {
+        const bool driven =
+            std::any_of(bodies.awake.begin(), bodies.awake.end(),
+                        [&](std::uint32_t body) { return bodies.isMovingKinematic(body); });
+        const std::span<Contact> contacts = contactSet.contacts();
+        const Step step{bodies,   contactSet, joints, contacts, contactSet.summaries(),
+                        settings, tolerances, driven};
+        findImpacts(step, team);
+        if (!events_.empty()) {
+            stopInOrder(step);
+        }
+        if (sensors) {
+            noticeSensors(bodies, contacts, settings, tolerances);
+        }
+        finish(bodies, dt);
+    }
+    for (const std::uint32_t body : bodies.awake) {
+        swift_[body] = 0;
+    }
+}
+
+/// Shortens the displacements of the stopped bodies.
+void ContinuousCollision::finish(Bodies& bodies, Real dt) {
+    for (const std::uint32_t body : bodies.awake) {
+        if (stopAt_[body] < 1) {
+            stop(bodies, body, stopAt_[body], push_[body], dt);
+        }
+    }
+    for (const std::uint32_t body : pushed_) {
+        push_[body] = {};
+    }
+    pushed_.clear();
+    for (const std::uint32_t body : linked_) {
+        first_[body] = kNoContact;
+    }
+    linked_.clear();
+    for (const std::uint32_t body : stopped_) {
+        stopAt_[body] = 1;
+    }
+    stopped_.clear();
+}
+
+/// Lists the pairs that may meet while no body is stopped. True if any contact is a sensor's.
+bool ContinuousCollision::findCandidates(const Bodies& bodies, const ContactSet& contactSet,
+                                         const Tolerances& tolerances, WorkerTeam& team) {
+    const std::span<const ContactSummary> summaries = contactSet.summaries();
+    const PartBounds& bounds = contactSet.candidates().bounds();
+    std::uint8_t sensors = 0;
+    found_.gather(team, summaries.size(), kPairsPerPiece, candidates_,
+                  [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& found) {
+                      for (std::size_t i = first; i < last; ++i) {
+                          const ContactSummary& summary = summaries[i];
+                          if (summary.sensor) {
+                              WorkerTeam::mark(sensors);
+                          } else if (isSwift(summary) &&
+                                     closes(bodies, bounds, summary, tolerances)) {
+                              found.push_back(static_cast<std::uint32_t>(i));
+                          }
+                      }
+                  });
+    return sensors != 0;
+}
+
+/// Builds the lists of the contacts of each body, from contacts with a swift body.
+void ContinuousCollision::linkContacts(const Step& step) {
+    next_.resize(step.summaries.size());
+    for (std::uint32_t i = 0; i < step.summaries.size(); ++i) {
+        const ContactSummary& summary = step.summaries[i];
+        if (!summary.sensor && isSwift(summary)) {
+            next_[i] = {link(summary.bodyA, i), link(summary.bodyB, i)};
+        }
+    }
+}
+
+/// Puts a contact at the begin of the list of a body, and returns the next one.
+std::uint32_t ContinuousCollision::link(std::uint32_t body, std::uint32_t contact) {
+    const std::uint32_t next = std::exchange(first_[body], contact);
+    if (next == kNoContact) {
+        linked_.push_back(body);
+    }
+    return next;
+}
+
+MotionPath ContinuousCollision::pathOf(const Bodies& bodies, std::uint32_t body) const {
+    const BodyVelocity& motion = bodies.motion[body];
+    return {bodies.pose[body], motion.deltaPosition, motion.deltaAngle, stopAt_[body], push_[body]};
+}
+
+Real ContinuousCollision::motionOf(const Bodies& bodies, const Contact& contact) const {
+    const auto moverOf = [&](std::uint32_t body, std::uint16_t part) {
+        return Mover{body, bodies.convex(body, part).rotationReach(), stopAt_[body]};
+    };
+    const auto [bodyA, partA, bodyB, partB] = contact.key;
+    return relativeMotion(bodies, moverOf(bodyA, partA), moverOf(bodyB, partB));
+}
+
+Real ContinuousCollision::impactTime(const Bodies& bodies, const Contact& contact, Real gap,
+                                     Real from) const {
+    const ContactKey& key = contact.key;
+    return timeOfImpact(bodies.convex(key.bodyA, key.partA), pathOf(bodies, key.bodyA),
+                        bodies.convex(key.bodyB, key.partB), pathOf(bodies, key.bodyB), gap, from);
+}
+
+/// Finds the time of impact of a pair from the fraction `from` of the step on, given the bodies
+/// that are stopped so far.
+void ContinuousCollision::findTime(const Step& step, std::uint32_t i, Real from) {
+    const Contact& contact = step.contacts[i];
+    const Real motion = motionOf(step.bodies, contact);
+    const auto timeFrom = [&](Real gap) {
+        const auto target =
+            stoppingGap(step.bodies, contact, gap, motion, step.settings, step.tolerances);
+        return target ? std::min(impactTime(step.bodies, contact, *target, from),
+                                 timeToJointedLine(step, contact, *target))
+                      : Real(1);
+    };
+    const Real gap = gapOf(step.summaries[i], step.tolerances);
+    Real& time = times_[i];
+    time = timeFrom(gap);
+    if (time >= 1) {
+        time = timeThroughLine(step, contact, motion);
+    }
+    // The pair practically touches corner to corner, where the manifold has a gap or no point. The
+    // next step would have no contact for it. Stopping it here would leave it hanging in the air,
+    // even if it separates.
+    if (gap > step.tolerances.slop && time * motion <= step.tolerances.slop / 32) {
+        time = timeFrom(0);
+    }
+}
+
+/// Adds the impact of a pair to the heap, if it has one.
+void ContinuousCollision::queueImpact(const Step& step, std::uint32_t contact) {
+    if (const Real time = times_[contact]; time < 1) {
+        events_.push_back({time, contact, step.contacts[contact].key});
+        std::push_heap(events_.begin(), events_.end(), later<Event>);
+    }
+}
+
+/// Finds the impacts that occur while no body is stopped.
+void ContinuousCollision::findImpacts(const Step& step, WorkerTeam& team) {
+    events_.clear();
+    assignReusing(times_, step.contacts.size(), Real(1));
+    team.forEach(candidates_.size(), kCandidatesPerPiece, [&](std::size_t first, std::size_t last) {
+        visitPrefetched<2>(std::span<const std::uint32_t>(candidates_).subspan(first, last - first),
+                           step.contacts,
+                           [&](std::uint32_t contact) { findTime(step, contact, 0); });
+    });
+    for (const std::uint32_t contact : candidates_) {
+        queueImpact(step, contact);
+    }
+}
+
+/// Processes the impacts in the order of time. Each changes the paths of its two bodies, so their
+/// later impacts are computed again.
+void ContinuousCollision::stopInOrder(const Step& step) {
+    linkContacts(step);
+    if (step.driven) {
+        findPushes(step);
+    }
+    while (!events_.empty()) {
+        std::pop_heap(events_.begin(), events_.end(), later<Event>);
+        const Event event = events_.back();
+        events_.pop_back();
+        if (times_[event.contact] != event.time) {
+            continue; // processed, or computed again since
+        }
+        times_[event.contact] = kTaken;
+        const ContactSummary& summary = step.summaries[event.contact];
+        noteLine(step, event.contact);
+        if (step.driven) {
+            takePushedDisplacement(step, step.contacts[event.contact], event.time);
+        }
+        cutShort(step, summary.bodyA, event.time);
+        cutShort(step, summary.bodyB, event.time);
+        stopJointed(step, step.bodies.locked(summary.bodyA) || step.bodies.locked(summary.bodyB));
+    }
+}
+
+void ContinuousCollision::noticeSensors(const Bodies& bodies, std::span<Contact> contacts,
+                                        const StepSettings& settings,
+                                        const Tolerances& tolerances) {
+    for (Contact& contact : contacts) {
+        if (!contact.sensor) {
+            continue;
+        }
+        // A contact that the last step brought just short of touching has begun to touch, and
+        // persists.
+        contact.touching = contact.wasTouching && contact.manifold.count > 0 &&
+                           contact.manifold.points[0].separation <= tolerances.slop / 32;
+        const Real motion = motionOf(bodies, contact);
+        const auto gap =
+            stoppingGap(bodies, contact, gapOf(contact, tolerances), motion, settings, tolerances);
+        const Real fraction = gap ? impactTime(bodies, contact, *gap, 0) : 1;
+        if (fraction < 1) {
+            recordSensorImpact(bodies, contact, fraction, tolerances);
+        }
+    }
+}
+
+/// Stores the point and the speed of the impact with a sensor in its contact, for the record.
+void ContinuousCollision::recordSensorImpact(const Bodies& bodies, Contact& contact, Real fraction,
+                                             const Tolerances& tolerances) const {
+    const ContactKey& key = contact.key;
+    const Transform a = pathOf(bodies, key.bodyA).at(fraction);
+    const Transform b = pathOf(bodies, key.bodyB).at(fraction);
+    const Manifold met = collide(bodies.convex(key.bodyA, key.partA), a,
+                                 bodies.convex(key.bodyB, key.partB), b, tolerances.margin, 0);
+    if (met.count == 0) {
+        return;
+    }
+    contact.touching = true;
+    contact.manifold = met;
+    contact.carried = false;
+    contact.centerA = a.position;
+    const ManifoldPoint& point = met.points[0];
+    const Vec2 relative = velocityAt(bodies.motion[key.bodyB], point.armB) -
+                          velocityAt(bodies.motion[key.bodyA], point.armA);
+    contact.approachSpeed = std::max(-dot(met.normal, relative), Real(0));
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo

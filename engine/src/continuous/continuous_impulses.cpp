@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+// How kinematic bodies push along bodies that are stopped in front of them.
+#include <kodo/geometry.hpp>
+
+#include <algorithm>
+
+#include "continuous/continuous_collision.hpp"
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+namespace {
+
+/// Raises the component of `push` along `normal` to that of `way` (m), the displacement of a
+/// surface, so that the body stays ahead of it. A body that is pushed against the surface is left
+/// as it is.
+void pushAlong(Vec2& push, Vec2 normal, Vec2 way) {
+    const Real there = dot(normal, push);
+    const Real wanted = dot(normal, way);
+    if (there >= 0 && wanted > there) {
+        push += (wanted - there) * normal;
+    }
+}
+
+/// Overlap (m) from which the impact of the next step still separates two parts to the correct
+/// side.
+Real harmlessOverlap(const Bodies& bodies, const ContactKey& key) {
+    return std::min(bodies.convex(key.bodyA, key.partA).coreRadius,
+                    bodies.convex(key.bodyB, key.partB).coreRadius) /
+           2;
+}
+
+/// Sets the component of `push` along `normal` to that of `way` (m), the displacement of a surface
+/// that recedes, so that the body stays at it.
+void follow(Vec2& push, Vec2 normal, Vec2 way) {
+    const Real there = dot(normal, push);
+    if (there <= 0) {
+        push += (dot(normal, way) - there) * normal;
+    }
+}
+
+/// Removes the component of `push` into a static surface.
+void holdBack(Vec2& push, Vec2 normal) {
+    push -= std::min(dot(normal, push), Real(0)) * normal;
+}
+
+} // namespace
+
+/// The push of a body, to be changed.
+Vec2& ContinuousCollision::pushOf(std::uint32_t body) {
+    if (push_[body] == Vec2{}) {
+        pushed_.push_back(body);
+    }
+    return push_[body];
+}
+
+/// Finds the pushes by kinematic bodies that touch or nearly touch at the start of the step. A body
+/// with restitution has become faster than the kinematic body by its impact and needs no push.
+void ContinuousCollision::findPushes(const Step& step) {
+    againstLocked_.clear();
+    step.contactSet.store().forEachInOrder([&](std::uint32_t i) {
+        const ContactSummary& summary = step.summaries[i];
+        if (summary.meets && !summary.bounces &&
+            step.bodies.locked(summary.bodyA) != step.bodies.locked(summary.bodyB) &&
+            step.contacts[i].responds()) {
+            againstLocked_.push_back(i);
+        }
+    });
+    for (const bool stop : {false, true}) { // static bodies last, so that they dominate
+        for (const std::uint32_t i : againstLocked_) {
+            const Contact& contact = step.contacts[i];
+            const auto [bodyA, partA, bodyB, partB] = contact.key;
+            const bool isA = step.bodies.locked(bodyA);
+            if (step.bodies.isMovingKinematic(isA ? bodyA : bodyB) == stop) {
+                continue;
+            }
+            const BodyVelocity& floor = step.bodies.motion[isA ? bodyA : bodyB];
+            const ManifoldPoint& point = contact.manifold.points[0];
+            const Vec2 way =
+                floor.deltaPosition + cross(floor.deltaAngle, isA ? point.armA : point.armB);
+            const Vec2 normal = isA ? contact.manifold.normal : -contact.manifold.normal;
+            Vec2& push = pushOf(isA ? bodyB : bodyA);
+            if (stop) {
+                holdBack(push, normal);
+            } else {
+                pushAlong(push, normal, way);
+            }
+        }
+    }
+}
+
+/// A body that meets a kinematic body within the step, or a body pushed by one, is pushed along,
+/// but not into a static body. With restitution, the impact of the next step makes it faster; it is
+/// pushed only where the kinematic body would be past it by then. If the kinematic body recedes, it
+/// is followed: across a gap, the next step would have no impact.
+void ContinuousCollision::takePushedDisplacement(const Step& step, const Contact& contact,
+                                                 Real time) {
+    const ContactKey& key = contact.key;
+    if (push_[key.bodyA] == Vec2{} && push_[key.bodyB] == Vec2{} &&
+        !step.bodies.isMovingKinematic(key.bodyA) && !step.bodies.isMovingKinematic(key.bodyB)) {
+        return;
+    }
+    const Transform a = pathOf(step.bodies, key.bodyA).at(time);
+    const Transform b = pathOf(step.bodies, key.bodyB).at(time);
+    const Vec2 normal = separation(step.bodies.convex(key.bodyA, key.partA), a,
+                                   step.bodies.convex(key.bodyB, key.partB), b)
+                            .axis;
+    const auto wayOf = [&](std::uint32_t body, Vec2 from) {
+        const BodyVelocity& motion = step.bodies.motion[body];
+        const std::uint32_t other = body == key.bodyA ? key.bodyB : key.bodyA;
+        return step.bodies.locked(body)
+                   ? motion.deltaPosition +
+                         cross(motion.deltaAngle, step.bodies.pose[other].position - from)
+                   : push_[body];
+    };
+    const Vec2 wayA = wayOf(key.bodyA, a.position);
+    const Vec2 wayB = wayOf(key.bodyB, b.position);
+    const Real overlap = (1 - time) * dot(normal, wayA - wayB);
+    if (contact.bounces && overlap >= 0 && overlap <= harmlessOverlap(step.bodies, key)) {
+        return;
+    }
+    const auto take = [&](std::uint32_t body, std::uint32_t other, Vec2 away, Vec2 way) {
+        if (step.bodies.locked(body)) {
+            return;
+        }
+        Vec2& push = pushOf(body);
+        if (step.bodies.locked(other) && !step.bodies.isMovingKinematic(other)) {
+            holdBack(push, away);
+        } else if (overlap < 0 && step.bodies.locked(other)) {
+            follow(push, away, way);
+        } else {
+            pushAlong(push, away, way);
+        }
+    };
+    take(key.bodyA, key.bodyB, -normal, wayB);
+    take(key.bodyB, key.bodyA, normal, wayA);
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "continuous/relative_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+namespace {
+
+/// Bound (m) of the motion of a body relative to a locked one, which nothing stops. It is 0 for a
+/// body that rests on a rotating floor.
+Real motionSeenFrom(const Bodies& bodies, std::uint32_t locked, std::uint32_t other,
+                    Real rotationReach) {
+    const BodyVelocity& floor = bodies.motion[locked];
+    const BodyVelocity& motion = bodies.motion[other];
+    const Vec2 arm = bodies.pose[other].position - bodies.pose[locked].position;
+    const Vec2 carried = floor.deltaPosition + cross(floor.deltaAngle, arm);
+    // m, distance of the arc from its tangent
+    const Real bend = floor.deltaAngle * floor.deltaAngle / 2 * length(arm);
+    return length(motion.deltaPosition - carried) + bend +
+           std::abs(motion.deltaAngle - floor.deltaAngle) * rotationReach;
+}
+
+/// Bound (m) of the motion of any point of a body.
+Real wayOf(const BodyVelocity& motion, Real rotationReach) {
+    return length(motion.deltaPosition) + std::abs(motion.deltaAngle) * rotationReach;
+}
+
+} // namespace
+
+Real relativeMotion(const Bodies& bodies, const Mover& moverA, const Mover& moverB) {
+    const auto& [bodyA, rotationReachA, stopA] = moverA;
+    const auto& [bodyB, rotationReachB, stopB] = moverB;
+    const BodyVelocity& a = bodies.motion[bodyA];
+    const BodyVelocity& b = bodies.motion[bodyB];
+    // The sum of both motions is a bound, too. Without it, a pair that ContinuousCollision excludes
+    // by the motion of each body could count as fast.
+    if (a.locked()) {
+        return std::min(motionSeenFrom(bodies, bodyA, bodyB, rotationReachB),
+                        wayOf(a, rotationReachA) + wayOf(b, rotationReachB));
+    }
+    if (b.locked()) {
+        return std::min(motionSeenFrom(bodies, bodyB, bodyA, rotationReachA),
+                        wayOf(a, rotationReachA) + wayOf(b, rotationReachB));
+    }
+    const Real alone = stopA == stopB  ? 0
+                       : stopA > stopB ? (stopA - stopB) * length(a.deltaPosition)
+                                       : (stopB - stopA) * length(b.deltaPosition);
+    return std::min(stopA, stopB) * length(b.deltaPosition - a.deltaPosition) + alone +
+           stopA * std::abs(a.deltaAngle) * rotationReachA +
+           stopB * std::abs(b.deltaAngle) * rotationReachB;
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo

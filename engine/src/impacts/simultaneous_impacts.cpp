@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "impacts/simultaneous_impacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+namespace {
+
+constexpr int kMostIterations = 100;
+// Of the fastest approach: the change of a speed in one iteration at which the result is final.
+constexpr Real kFinal = sizeof(Real) == 4 ? Real(1e-6) : Real(1e-12);
+// Share of the energy that moves at which a gain is not an error of the iteration.
+constexpr Real kGain = Real(2e-5);
+
+} // namespace
+
+inline Vec2 SimultaneousImpacts::Point::relativeVelocity() const {
+    return velocityAt(*b, armB) - velocityAt(*a, armA);
+}
+
+inline void SimultaneousImpacts::Point::push(Vec2 j, Real angularA, Real angularB) const {
+    applyImpulse(*a, a->invMass, -j, a->invInertia, -angularA);
+    applyImpulse(*b, b->invMass, j, b->invInertia, angularB);
+}
+
+/// Adds the points of a contact that touch and approach.
+void SimultaneousImpacts::addPoints(const Impact& hit, const Tolerances& tolerances) {
+    const Material& material = hit.contact->material;
+    const Vec2 normal = hit.normal();
+    const Vec2 tangent = hit.tangent();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(hit.contact->manifold.count); ++i) {
+        const Real speed = approach(hit, i, 0);
+        if (!(speed > 0) || hit.point(i).separation > tolerances.slop || hit.blocked(i)) {
+            continue;
+        }
+        const Real kn = response(hit, i, normal, i, normal);
+        const Real kt = response(hit, i, tangent, i, tangent);
+        const bool slides = !hit.frictionless && material.staticFriction > 0 && kt > 0;
+        const auto& [armA, armB, separation, feature] = hit.point(i);
+        const Vec2 velocity = hit.relativeVelocity(i);
+        points_.push_back({.a = hit.a,
+                           .b = hit.b,
+                           .normal = normal,
+                           .tangent = tangent,
+                           .armA = armA,
+                           .armB = armB,
+                           .leverA = {leverOf(armA, normal), leverOf(armA, tangent)},
+                           .leverB = {leverOf(armB, normal), leverOf(armB, tangent)},
+                           .target = material.restitution * speed,
+                           .normalMass = 1 / kn,
+                           .tangentialMass = slides ? 1 / kt : 0,
+                           .staticFriction = material.staticFriction,
+                           .kineticFriction = material.kineticFriction,
+                           .impact = hit.contact->impulse[i].impact,
+                           .before = {dot(normal, velocity), dot(tangent, velocity)},
+                           .hit = &hit,
+                           .index = i});
+    }
+}
+
+/// Iterates until no speed changes by more than `tolerance` (m/s). False if the impulses grow
+/// instead.
+bool SimultaneousImpacts::iterate(Real tolerance, int most) {
+    Real first = 0;
+    Real largest = 0;
+    for (int iteration = 0; iteration < most; ++iteration) {
+        first = iteration == 1 ? largest : first;
+        largest = 0;
+        for (Point& point : points_) {
+            const Real apart = dot(point.normal, point.relativeVelocity());
+            const Real next =
+                std::max(Real(0), point.impulse + (point.target - apart) * point.normalMass);
+            const Real more = next - point.impulse;
+            if (more != 0) {
+                point.impulse = next;
+                point.impact += more;
+                point.push(more * point.normal, point.leverA.x * more, point.leverB.x * more);
+                largest = std::max(largest, std::abs(more) / point.normalMass);
+            }
+            if (!(point.tangentialMass > 0)) {
+                continue;
+            }
+            const Real sliding = dot(point.tangent, point.relativeVelocity());
+            const Real stick = point.friction - sliding * point.tangentialMass;
+            const Real limit = point.kineticFriction * next;
+            const bool sticks = std::abs(stick) <= point.staticFriction * next;
+            const Real friction = sticks ? stick : std::clamp(stick, -limit, limit);
+            const Real change = friction - point.friction;
+            if (change != 0) {
+                point.friction = friction;
+                point.push(change * point.tangent, point.leverA.y * change,
+                           point.leverB.y * change);
+                largest = std::max(largest, std::abs(change) / point.tangentialMass);
+            }
+        }
+        if (!(largest > tolerance)) {
+            return true;
+        }
+    }
+    return largest < first / 4;
+}
+
+/// Takes all impulses back.
+void SimultaneousImpacts::undo() {
+    for (Point& point : points_) {
+        const Vec2 j{-point.impulse, -point.friction};
+        point.push(j.x * point.normal + j.y * point.tangent, dot(point.leverA, j),
+                   dot(point.leverB, j));
+        point.impact += j.x;
+        point.impulse = 0;
+        point.friction = 0;
+        point.tangentialMass = 0;
+    }
+}
+
+/// True if the impulses have added energy, beyond rounding.
+bool SimultaneousImpacts::gainsEnergy() const {
+    Real gained = 0; // J, twice
+    Real moved = 0;  // J, sum of magnitudes
+    for (const Point& point : points_) {
+        const Vec2 velocity = point.relativeVelocity();
+        const Vec2 after{dot(point.normal, velocity), dot(point.tangent, velocity)};
+        const Vec2 impulse{point.impulse, point.friction};
+        gained += dot(impulse, point.before + after);
+        moved += std::abs(impulse.x * point.before.x) + std::abs(impulse.y * point.before.y);
+    }
+    return gained > kGain * moved;
+}
+
+/// Adds the impulses to the contacts.
+void SimultaneousImpacts::storeImpulses() {
+    for (const Point& point : points_) {
+        Contact& contact = *point.hit->contact;
+        contact.impulse[point.index].impact = point.impact;
+        contact.hasStepImpulses = true;
+    }
+}
+
+void SimultaneousImpacts::solve(std::span<const Impact> hits, const Tolerances& tolerances) {
+    points_.clear();
+    for (const Impact& hit : hits) {
+        addPoints(hit, tolerances);
+    }
+    Real fastest = 0;
+    for (const Point& point : points_) {
+        fastest = std::max(fastest, -point.before.x);
+    }
+    const bool bounces = std::any_of(hits.begin(), hits.end(), [](const Impact& hit) {
+        return hit.contact->material.restitution > 0;
+    });
+    if (!bounces) {
+        iterate(0, 1); // the contact solver follows
+    } else if (!iterate(kFinal * fastest, kMostIterations)) {
+        undo();
+        iterate(0, 1);
+    } else if (gainsEnergy()) {
+        undo();
+        iterate(kFinal * fastest, kMostIterations);
+    }
+    storeImpulses();
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo

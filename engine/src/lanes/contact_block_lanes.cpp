@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "lanes/contact_block_lanes.hpp"
+
+#include <limits>
+#include <utility>
+
+#include "lanes/leverage.hpp"
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+namespace {
+
+Real effectiveMass(const BodyVelocity& a, const BodyVelocity& b, Real leverA, Real leverB) {
+    const Real k =
+        a.invMass + b.invMass + a.invInertia * leverA * leverA + b.invInertia * leverB * leverB;
+    return k >= std::numeric_limits<Real>::min() ? 1 / k : 0; // 0: neither body gives way
+}
+
+/// Both bodies of a contact; a shared one with the mass of a copy.
+std::pair<BodyVelocity, BodyVelocity> masses(const Bodies& bodies, const Contact& contact,
+                                             Shared shared) {
+    constexpr Real kCopies = ContactBlock::kContacts;
+    BodyVelocity a = bodies.motion[contact.key.bodyA];
+    BodyVelocity b = bodies.motion[contact.key.bodyB];
+    if (shared != Shared::None) {
+        BodyVelocity& own = shared == Shared::BodyA ? a : b;
+        own.invMass *= kCopies;
+        own.invInertia *= kCopies;
+    }
+    return {a, b};
+}
+
+struct PointValues {
+    Real leverA = 0;
+    Real leverB = 0;
+    Real mass = 0;
+    Real separation = 0;
+    Real impulse = 0;
+};
+
+void writePoint(ContactBlock::Point& point, std::size_t lane, const PointValues& values) {
+    point.leverA[lane] = values.leverA;
+    point.leverB[lane] = values.leverB;
+    point.mass[lane] = values.mass;
+    point.separation[lane] = values.separation;
+    point.impulse[lane] = values.impulse;
+    point.largest[lane] = 0;
+}
+
+} // namespace
+
+void fillLane(ContactBlock& block, std::size_t lane, const Bodies& bodies, const Contact& contact,
+              const LaneRules& rules) {
+    const std::pair<BodyVelocity, BodyVelocity> both = masses(bodies, contact, rules.shared);
+    const BodyVelocity& a = both.first;
+    const BodyVelocity& b = both.second;
+    const Real parts = rules.parts;
+    const Manifold& manifold = contact.manifold;
+    const Vec2 n = manifold.normal;
+    block.normalX[lane] = n.x;
+    block.normalY[lane] = n.y;
+    const auto setPoint = [&](std::size_t i) {
+        const ManifoldPoint& p = manifold.points[i];
+        const Real leverA = leverOf(p.armA, n);
+        const Real leverB = leverOf(p.armB, n);
+        if (isBlocked(bodies, contact, i)) { // no effective mass: no impulse
+            writePoint(block.points[i], lane, {leverA, leverB, 0, p.separation, 0});
+            return;
+        }
+        writePoint(block.points[i], lane,
+                   {leverA, leverB, effectiveMass(a, b, leverA, leverB), p.separation,
+                    contact.impulse[i].normal / parts});
+    };
+    setPoint(0);
+    Vec2 meanA = manifold.points[0].armA;
+    Vec2 meanB = manifold.points[0].armB;
+    if (manifold.count == 2) {
+        setPoint(1);
+        meanA = Real(0.5) * (meanA + manifold.points[1].armA);
+        meanB = Real(0.5) * (meanB + manifold.points[1].armB);
+    } else {
+        writePoint(block.points[1], lane, {});
+    }
+    block.tangentLeverA[lane] = cross(meanA, perp(n));
+    block.tangentLeverB[lane] = cross(meanB, perp(n));
+    block.tangentMass[lane] =
+        effectiveMass(a, b, block.tangentLeverA[lane], block.tangentLeverB[lane]);
+    block.friction[lane] = contact.friction / parts;
+    block.staticFriction[lane] =
+        contact.sliding ? -contact.material.staticFriction : contact.material.staticFriction;
+    block.kineticFriction[lane] = contact.material.kineticFriction;
+    block.pushSpeed[lane] = rules.pushSpeed;
+    block.total[lane] = 0;
+}
+
+void fillLane(RollingBlock& block, std::size_t lane, const Bodies& bodies, const Contact& contact,
+              const LaneRules& rules) {
+    const std::pair<BodyVelocity, BodyVelocity> both = masses(bodies, contact, rules.shared);
+    const BodyVelocity& a = both.first;
+    const BodyVelocity& b = both.second;
+    const bool rolls = contact.material.rollingResistance > 0 && a.invInertia + b.invInertia > 0;
+    block.lever[lane] = rollingLever(contact, a, b);
+    block.mass[lane] = rolls ? 1 / (a.invInertia + b.invInertia) : Real(0);
+    block.impulse[lane] = rolls ? contact.rolling / rules.parts : Real(0);
+}
+
+void readImpulses(const ContactBlock& block, std::size_t lane, Contact& contact, Real parts) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
+        contact.impulse[i].normal = parts * block.points[i].impulse[lane];
+    }
+    contact.friction = parts * block.friction[lane];
+    contact.sliding = block.staticFriction[lane] < 0;
+}
+
+void readImpactImpulses(const ContactBlock& block, std::size_t lane, Contact& contact, Real parts) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
+        contact.impulse[i].largest = parts * block.points[i].largest[lane];
+    }
+    contact.total = block.total[lane];
+    contact.hasStepImpulses = true;
+}
+
+void clearLane(ContactBlock& block, std::size_t lane) {
+    for (ContactBlock::Point& point : block.points) {
+        writePoint(point, lane, {});
+    }
+    for (ContactBlock::Each* each :
+         {&block.normalX, &block.normalY, &block.tangentLeverA, &block.tangentLeverB,
+          &block.tangentMass, &block.friction, &block.total}) {
+        (*each)[lane] = 0;
+    }
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: MIT
+#include "lanes/contact_blocks.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+#include "lanes/contact_block_lanes.hpp"
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+namespace {
+
+/// True if the colour of the contact still fits its bodies.
+bool keepsColour(const Bodies& bodies, const Contact& contact) {
+    const ContactRow& row = contact.row;
+    const BodyVelocity& a = bodies.motion[contact.key.bodyA];
+    const BodyVelocity& b = bodies.motion[contact.key.bodyB];
+    const bool onLocked = a.invMass == 0 || b.invMass == 0;
+    return row.colour != ContactRow::kNoColour &&
+           (row.colour >= BlockBins::kFreeColours) == onLocked && row.fixedA == a.locked() &&
+           row.fixedB == b.locked();
+}
+
+/// Mask of the lanes of a block that are in use but were not taken in this step.
+std::uint8_t removedLanes(const BlockState& state, const std::uint8_t* taken) {
+    constexpr std::size_t kContacts = ContactBlock::kContacts;
+    std::uint64_t marks = 0; // byte `lane` is 0 or 1
+    for (std::uint32_t lane = 0; lane < kContacts; ++lane) {
+        marks |= std::uint64_t{taken[lane]} << (8 * lane);
+    }
+    const std::uint64_t mask = (marks * 0x0102040810204080) >> 56; // bit `lane`
+    return static_cast<std::uint8_t>(state.used & ~mask);
+}
+
+} // namespace
+
+void ContactBlocks::refine(const Refinement& refinement, ContactSet& contacts,
+                           const Bodies& bodies) {
+    refinedLevels_.assign(refinement.levels().begin(), refinement.levels().end());
+    const std::span<const ContactSummary> summaries = contacts.summaries();
+    for (std::uint32_t slot = 0; slot < summaries.size(); ++slot) {
+        Contact& contact = contacts.contacts()[slot];
+        if (summaries[slot].row != kNone &&
+            BlockBins::levelOf(states_[blockOf(summaries[slot].row)].bin) != levelOf(contact)) {
+            evict(contact, bodies);
+            contact.carried = false; // so that take() requests another lane
+            contacts.noteRow(slot);
+        }
+    }
+}
+
+void ContactBlocks::begin(const Bodies& bodies, std::span<Contact> contacts, bool friction,
+                          bool rolling) {
+    const std::size_t bins = BlockBins::kLevelBins * (refinedLevels_.empty() ? 1 : kLevels);
+    if (passOrder_.blocks().size() > singles_ + bins * partitions_.count() + size() / 4) {
+        // Most lanes are empty.
+        evictAll(contacts, bodies);
+        forgetLanes();
+    }
+    shrink(bodies, contacts);
+    singles_ = 0;
+    ++lanesState_;
+    if (!rowsAssigned_) {
+        assignRows(contacts);
+    }
+    const Features before = std::exchange(features_, {friction, rolling});
+    lanesStale_ = lanesStale_ || features_ != before;
+    if (rolling != before.rolling) {
+        rolling_.clear();
+        for (BlockUse& use : use_) {
+            use.rolling = -1;
+        }
+    }
+    if (std::exchange(orderStale_, false)) {
+        passOrder_.build(states_);
+    }
+    std::fill(taken_.begin(), taken_.end(), std::uint8_t{0});
+}
+
+void ContactBlocks::shrink(const Bodies& bodies, std::span<Contact> contacts) {
+    if (blocks_.size() > kFewBlocks + contacts.size()) {
+        writeBackAll(contacts, bodies);
+        forgetLanes();
+    }
+}
+
+/// True if the contact needs a RollingBlock that its block lacks.
+bool ContactBlocks::needsRolling(const Contact& contact) const {
+    return features_.rolling && contact.material.rollingResistance > 0 &&
+           use_[blockOf(contact.row.index)].rolling < 0;
+}
+
+bool ContactBlocks::take(const Bodies& bodies, Contact& contact) {
+    ContactRow& row = contact.row;
+    if (row.colour != ContactRow::kNoColour && contact.carried && !lanesStale_) {
+        keep(row.index);
+        if (!row.resident) {
+            makeResident(contact);
+        }
+        return true;
+    }
+    evict(contact, bodies);
+    if (!keepsColour(bodies, contact)) {
+        return false;
+    }
+    taken_[row.index] = 1;
+    if (states_[blockOf(row.index)].bin != binOf(BlockBins::groupOfColour(row.colour), contact) ||
+        needsRolling(contact)) {
+        return false;
+    }
+    fill(bodies, contact);
+    return true;
+}
+
+/// Frees the lanes that were not taken. Their contacts are gone, no longer respond, or need another
+/// colour.
+void ContactBlocks::freeLanes(const Bodies& bodies) {
+    if (std::exchange(spare_, bodies.spare()) != bodies.spare()) {
+        for (std::size_t i = 0; i < blocks_.size(); ++i) {
+            for (std::size_t lane = 0; lane < ContactBlock::kContacts; ++lane) {
+                if ((states_[i].used >> lane & 1) == 0) {
+                    blocks_[i].a[lane] = blocks_[i].b[lane] = velocityOffset(spare_);
+                }
+            }
+        }
+    }
+    // Backwards, so that the blocks of single contacts are assigned in order again.
+    const std::span<const std::uint32_t> order = passOrder_.blocks();
+    for (std::size_t k = order.size(); k-- > 0;) {
+        const std::uint32_t i = order[k];
+        const std::uint8_t* const taken = &taken_[i * std::size_t{ContactBlock::kContacts}];
+        for (std::uint32_t rest = removedLanes(states_[i], taken); rest != 0; rest &= rest - 1) {
+            release(i * ContactBlock::kContacts +
+                    static_cast<std::uint32_t>(std::countr_zero(rest)));
+        }
+    }
+}
+
+void ContactBlocks::releaseAll(const Bodies& bodies) {
+    std::fill(taken_.begin(), taken_.end(), std::uint8_t{0});
+    freeLanes(bodies);
+    anyResident_ = false; // so that carry() skips the empty lanes
+}
+
+/// Frees a lane and the colour of its contact.
+void ContactBlocks::release(std::uint32_t row) {
+    const ContactBlock& block = blocks_[blockOf(row)];
+    const BlockState& state = states_[blockOf(row)];
+    const std::uint32_t group = BlockBins::groupOf(state.bin);
+    if (!BlockBins::isSingle(state.bin)) {
+        const std::uint64_t colour = std::uint64_t{1} << (group - (group > kFreeColours ? 1 : 0));
+        colours_[bodyOfPlace(block.a[laneOf(row)])] &=
+            ~((state.fixedA & laneMask(row)) != 0 ? 0 : colour);
+        colours_[bodyOfPlace(block.b[laneOf(row)])] &=
+            ~((state.fixedB & laneMask(row)) != 0 ? 0 : colour);
+    }
+    empty(row);
+}
+
+/// Frees a lane.
+void ContactBlocks::empty(std::uint32_t row) {
+    BlockState& state = states_[blockOf(row)];
+    const bool wasFull = state.used == 0xff;
+    state.used &= static_cast<std::uint8_t>(~laneMask(row));
+    if (BlockBins::isSingle(state.bin) ? state.used == 0 : wasFull) {
+        state.nextOpen = std::exchange(openOf(state.bin, state.partition),
+                                       static_cast<std::uint32_t>(blockOf(row)));
+    }
+    orderStale_ = orderStale_ || state.used == 0;
+    --rows_[BlockBins::levelOf(state.bin)];
+    ContactBlock& block = blocks_[blockOf(row)];
+    const std::size_t lane = laneOf(row);
+    clearLane(block, lane);
+    carried_[row] = {}; // else carry() would restore the old separations
+    block.a[lane] = block.b[lane] = velocityOffset(spare_);
+    use_[blockOf(row)].movesA &= static_cast<std::uint8_t>(~laneMask(row));
+    use_[blockOf(row)].movesB &= static_cast<std::uint8_t>(~laneMask(row));
+    if (const std::int32_t rolling = use_[blockOf(row)].rolling; rolling >= 0) {
+        RollingBlock& own = rolling_[static_cast<std::size_t>(rolling)];
+        own.lever[lane] = own.mass[lane] = own.impulse[lane] = 0;
+    }
+}
+
+void ContactBlocks::colourNewcomer(const Bodies& bodies, Contact& contact) {
+    const std::uint32_t a = contact.key.bodyA;
+    const std::uint32_t b = contact.key.bodyB;
+    const BodyVelocity& motionA = bodies.motion[a];
+    const BodyVelocity& motionB = bodies.motion[b];
+    const bool onLocked = motionA.invMass == 0 || motionB.invMass == 0;
+    ContactRow& row = contact.row;
+    row = {};
+    row.fixedA = motionA.locked();
+    row.fixedB = motionB.locked();
+    constexpr std::uint64_t kFree = (std::uint64_t{1} << kFreeColours) - 1;
+    const std::uint64_t taken = (row.fixedA ? 0 : colours_[a]) | (row.fixedB ? 0 : colours_[b]) |
+                                (onLocked ? kFree : ~kFree);
+    const auto colour = static_cast<std::uint32_t>(std::countr_one(taken));
+    if (colour == BlockBins::kColours || (colour >= kFreeColours && !onLocked)) {
+        const std::uint32_t group = onLocked ? BlockBins::kGroups - 1 : kFreeColours;
+        const std::uint64_t allowed = onLocked ? ~kFree : kFree;
+        // In a crowd both bodies have many contacts: copies would push them apart too far.
+        const auto isFull = [&](std::uint32_t body) {
+            return (colours_[body] & allowed) == allowed;
+        };
+        const auto hasFew = [&](std::uint32_t body) {
+            return std::popcount(colours_[body]) <= kFewColours;
+        };
+        ++singles_;
+        giveSingleLane(contact, binOf(group, contact),
+                       isFull(a) && !row.fixedA && hasFew(b)   ? Shared::BodyA
+                       : isFull(b) && !row.fixedB && hasFew(a) ? Shared::BodyB
+                                                               : Shared::None);
+    } else {
+        row.colour = static_cast<std::uint8_t>(colour);
+        colours_[a] |= row.fixedA ? 0 : std::uint64_t{1} << colour;
+        colours_[b] |= row.fixedB ? 0 : std::uint64_t{1} << colour;
+        giveLane(contact, binOf(BlockBins::groupOfColour(colour), contact));
+    }
+}
+
+void ContactBlocks::arrange(const Bodies& bodies, std::span<Contact> contacts,
+                            std::span<const std::uint32_t> newcomers,
+                            std::span<const std::uint16_t> crowd, Real pushSpeed) {
+    freeLanes(bodies);
+    for (const std::uint32_t place : newcomers) {
+        Contact& contact = contacts[place];
+        if (!keepsColour(bodies, contact)) {
+            colourNewcomer(bodies, contact);
+        } else if (const std::uint32_t bin =
+                       binOf(BlockBins::groupOfColour(contact.row.colour), contact);
+                   states_[blockOf(contact.row.index)].bin != bin) {
+            empty(contact.row.index);
+            giveLane(contact, bin);
+        }
+        fill(bodies, contact);
+    }
+    for (const std::uint32_t body : sharedBodies_) {
+        sharedOf_[body] = kNone;
+    }
+    sharedBodies_.clear();
+    if (std::exchange(orderStale_, false)) {
+        passOrder_.build(states_);
+    }
+    setPushSpeeds(crowd, pushSpeed);
+    lanesStale_ = false;
+    anyResident_ = true;
+}
+
+void ContactBlocks::setPushSpeeds(std::span<const std::uint16_t> crowd, Real pushSpeed) {
+    if (crowd.empty() && !pushLimit_.shared && pushSpeed == pushLimit_.speed) {
+        return;
+    }
+    pushLimit_ = {pushSpeed, !crowd.empty()};
+    for (const std::uint32_t i : passOrder_.blocks()) {
+        ContactBlock& block = blocks_[i];
+        for (std::uint32_t used = states_[i].used; used != 0; used &= used - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(used));
+            const int most = pushLimit_.shared ? std::max(crowd[bodyOfPlace(block.a[lane])],
+                                                          crowd[bodyOfPlace(block.b[lane])])
+                                               : 0;
+            const int crowded = std::min(most, kMostOverlaps);
+            block.pushSpeed[lane] =
+                pushSpeed / static_cast<Real>(std::max(1, crowded + 1 - kNeighbours));
+        }
+    }
+}
+
+void ContactBlocks::fill(const Bodies& bodies, Contact& contact) {
+    const std::size_t lane = laneOf(contact.row.index);
+    ContactBlock& block = blocks_[blockOf(contact.row.index)];
+    const LaneRules rules{pushLimit_.speed,
+                          BlockBins::partsOf(states_[blockOf(contact.row.index)].bin),
+                          use_[blockOf(contact.row.index)].shared};
+    fillLane(block, lane, bodies, contact, rules);
+    if (contact.material.staticFriction > contact.material.kineticFriction) {
+        use_[blockOf(contact.row.index)].unlike = true;
+    }
+    std::int32_t& place = use_[blockOf(contact.row.index)].rolling;
+    const bool rolls = features_.rolling && contact.material.rollingResistance > 0;
+    if (rolls && place < 0) {
+        place = static_cast<std::int32_t>(rolling_.size());
+        rolling_.emplace_back();
+    }
+    if (place >= 0) {
+        fillLane(rolling_[static_cast<std::size_t>(place)], lane, bodies, contact, rules);
+    }
+    contact.carried = true;
+    makeResident(contact);
+}
+
+ContactPassArguments ContactBlocks::pass(Bodies& bodies, std::uint32_t level,
+                                         const PassSettings& settings) {
+    const std::span<const std::uint32_t> order = passOrder_.blocks(level);
+    return {blocks_.data(), rolling_.data(),      use_.data(), order.data(),
+            order.size(),   bodies.motion.data(), settings,    areFar()};
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo

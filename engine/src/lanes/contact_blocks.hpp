@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/reorder_policy.hpp"
+#include "base/worker_team.hpp"
+#include "contacts/contact_set.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <span>
+#include <vector>
+
+#include "lanes/block_bins.hpp"
+#include "lanes/body_partitions.hpp"
+#include "lanes/contact_block.hpp"
+#include "lanes/pass_order.hpp"
+#include "lanes/refinement.hpp"
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+
+/// Constraint graph of the contacts, in blocks of eight lanes. Contacts that move the same body get
+/// different colours. A new contact takes the lowest free colour. The passes go through the blocks
+/// colour by colour. Contacts with a body of infinite mass come last, so that they dominate.
+///
+/// A contact keeps its colour and its lane from step to step. While its manifold is valid its state
+/// is resident in the lane, which saves most of the work. Results depend on colours only, not on
+/// lanes, so a snapshot stores only colours. A contact without a free colour gets a lane in a block
+/// for its body, or a block of its own, newly assigned in every step.
+class ContactBlocks {
+public:
+    /// Deep overlaps that a body may have before their contacts share the push speed. No more
+    /// bodies fit around one.
+    static constexpr int kNeighbours = 8;
+    /// Of more overlaps than this, a body has about as many that are solved: see
+    /// SoftSolver::thinOut().
+    static constexpr int kMostOverlaps = 16;
+
+    /// Blocks of one level of Refinement, and of one colour after the other.
+    static constexpr std::uint32_t kLevels = Refinement::kLevels;
+    /// Sets the levels of the bodies from now on, after these have changed. Contacts store the
+    /// impulses of a whole substep, lanes those of its parts.
+    void refine(const Refinement& refinement, ContactSet& contacts, const Bodies& bodies);
+    /// Starts a step, before take(). Contacts of the last step may be gone. `friction` and
+    /// `rolling` are true if that feature is on.
+    void begin(const Bodies& bodies, std::span<Contact> contacts, bool friction, bool rolling);
+    /// After the removal of contacts: forgets all lanes if blocks outnumber the contacts.
+    void shrink(const Bodies& bodies, std::span<Contact> contacts);
+    /// Before begin(): advances the resident contacts to the start of the step.
+    void carry(Bodies& bodies, WorkerTeam& team);
+    /// State of the resident contacts by row; empty if none is resident.
+    std::span<const Carried> carried() const {
+        return anyResident_ ? std::span<const Carried>(carried_) : std::span<const Carried>();
+    }
+    /// Before begin(): rebuilds the graph for a number of partitions. Lanes are assigned in the
+    /// order of bodies, and the blocks of a colour are consecutive. So a pass reads memory in
+    /// order, and each partition mostly moves bodies of its own. Contacts that come and go degrade
+    /// this order.
+    void rebuildGraph(const Bodies& bodies, ContactSet& contacts, std::uint32_t partitions);
+    /// Counts a step. True if a rebuild is due, which affects only the duration of steps.
+    bool countReorder() { return reorderPolicy_.countStep(size()); }
+    const BodyPartitions& partitions() const { return partitions_; }
+    const BlockState& stateOf(std::size_t block) const { return states_[block]; }
+    /// Takes a contact that responds into the step. False if it needs another lane, which arrange()
+    /// assigns. Several threads may take different contacts at once.
+    bool take(const Bodies& bodies, Contact& contact);
+    /// take() for a contact whose lane has all of its state.
+    void keep(std::uint32_t row) { taken_[row] = 1; }
+    /// Invalidates the lanes for the next step, after a change of contacts or of movable bodies.
+    void discardLanes() { lanesStale_ = true; }
+    /// True if kept contacts need only keep(): their lanes are valid in this step.
+    bool keepsLanes() const { return anyResident_ && !lanesStale_; }
+    /// After the last take(): assigns lanes to the newcomers, given by contact index in order.
+    /// `crowd` is the number of deep overlaps by body, or empty if no body exceeds kNeighbours. The
+    /// contacts of a body that exceeds it share `pushSpeed` (m/s).
+    void arrange(const Bodies& bodies, std::span<Contact> contacts,
+                 std::span<const std::uint32_t> newcomers, std::span<const std::uint16_t> crowd,
+                 Real pushSpeed);
+
+    /// Replaces begin() to arrange() in a step in which no contact responds.
+    void releaseAll(const Bodies& bodies);
+
+    /// A pass over the blocks of a level.
+    ContactPassArguments pass(Bodies& bodies, std::uint32_t level, const PassSettings& settings);
+    const PassOrder& passOrder() const { return passOrder_; }
+    /// True if the colours are large enough for parallel passes. These cost synchronisation at
+    /// border blocks and cache misses for shared bodies.
+    bool worthPartitioning(std::uint32_t level) const {
+        return rows_[level] > kWorthPartitioning * passOrder_.colours(level).size();
+    }
+    /// Lanes in use, of all levels or of one.
+    std::size_t size() const { return std::accumulate(rows_.begin(), rows_.end(), std::size_t{0}); }
+    std::size_t size(std::uint32_t level) const { return rows_[level]; }
+    std::size_t blockCount() const { return blocks_.size(); }
+    /// Grows by 1 with each begin(), and by more with each rebuild. After growth by 1, only the
+    /// newcomers of arrange() have other lanes than before.
+    std::uint64_t lanesState() const { return lanesState_; }
+
+    /// After the passes: updates touched(). A point touches if it had an impulse, or if its
+    /// separation is at most `slop` (m).
+    void noteTouching(Real slop, WorkerTeam& team);
+    /// By row: true if the contact touched in the last step. The entry behind the last row is
+    /// false.
+    std::span<const std::uint8_t> touched() const { return touching_; }
+
+    /// Coefficients and impulses of a contact in the passes.
+    struct Lane {
+        ContactBlock& block;
+        RollingBlock* rolling; // or nullptr
+        std::size_t lane;
+    };
+    Lane laneAt(std::uint32_t row);
+
+    /// Writes the state of a resident contact back as far as the next step needs it. The contact is
+    /// not resident then.
+    void evict(Contact& contact, const Bodies& bodies) const;
+    void evictAll(std::span<Contact> contacts, const Bodies& bodies);
+    /// evict() that also writes the impulses of the last step, for the record.
+    void writeBack(Contact& contact, const Bodies& bodies) const;
+    /// Writes all resident contacts back, unless that was done since the last step.
+    void writeBackAll(std::span<Contact> contacts, const Bodies& bodies);
+
+private:
+    static constexpr std::uint32_t kFreeColours = BlockBins::kFreeColours;
+    static constexpr int kFewColours = 12; // of the other bodies of a shared one
+    static constexpr std::uint32_t kNone = ContactRow::kNone;
+    static constexpr std::size_t kBlocksPerPiece = 32;
+    static constexpr std::size_t kFewBlocks = 256;         // so many are never forgotten
+    static constexpr std::size_t kWorthPartitioning = 128; // mean number of contacts per colour
+    // Bytes of blocks above which most lie outside the near cache, so that the passes prefetch.
+    // Below, the hardware prefetches as well.
+    static constexpr std::size_t kNearBytes = 3 << 20;
+
+    std::uint32_t levelOf(const Contact& contact) const {
+        return refinedLevels_.empty()
+                   ? 0u
+                   : std::max(refinedLevels_[contact.key.bodyA], refinedLevels_[contact.key.bodyB]);
+    }
+    std::uint32_t binOf(std::uint32_t group, const Contact& contact) const {
+        return BlockBins::of(levelOf(contact), group, contact.manifold.count);
+    }
+    bool areFar() const { return blocks_.size() * sizeof(ContactBlock) > kNearBytes; }
+    bool needsRolling(const Contact& contact) const;
+    void makeResident(Contact& contact);
+    void assignRows(std::span<Contact> contacts);
+    void assignRow(Contact& contact);
+    void forgetLanes();
+    void freeLanes(const Bodies& bodies);
+    void colourNewcomer(const Bodies& bodies, Contact& contact);
+    std::uint32_t& openOf(std::uint32_t bin, std::uint32_t partition) {
+        return open_[partition * BlockBins::kBins + bin];
+    }
+    void layOut(std::span<const Contact> contacts);
+    std::uint32_t addBlock(std::uint32_t bin, std::uint8_t partition);
+    std::uint32_t openBlock(std::uint32_t bin, std::uint8_t partition);
+    void giveLane(Contact& contact, std::uint32_t bin);
+    void giveSingleLane(Contact& contact, std::uint32_t bin, Shared shared);
+    void giveLaneOf(std::uint32_t block, Contact& contact);
+    void release(std::uint32_t row);
+    void empty(std::uint32_t row);
+    void setPushSpeeds(std::span<const std::uint16_t> crowd, Real pushSpeed);
+    void fill(const Bodies& bodies, Contact& contact);
+
+    struct Features {
+        bool friction = true;
+        bool rolling = false;
+        bool operator==(const Features&) const = default;
+    };
+    struct PushLimit {
+        Real speed = 0;      // m/s
+        bool shared = false; // some lanes have a lower limit
+    };
+
+    std::vector<std::uint64_t> colours_; // by body: mask of the colours of its contacts
+    std::vector<ContactBlock> blocks_;
+    std::vector<BlockUse> use_;      // by block
+    std::vector<BlockState> states_; // by block
+    std::vector<RollingBlock> rolling_;
+    PassOrder passOrder_;
+    std::array<std::size_t, kLevels> rows_{};  // by level: lanes in use
+    std::size_t singles_ = 0;                  // lanes in use without a colour
+    std::vector<std::uint32_t> sharedOf_;      // by body without a free colour: its open block
+    std::vector<std::uint32_t> sharedBodies_;  // scratch of arrange(): bodies in sharedOf_
+    std::vector<std::uint8_t> refinedLevels_;  // by body; empty if all are 0
+    std::vector<Carried> carried_;             // by row
+    std::vector<std::uint8_t> taken_;          // by row: taken in this step
+    std::vector<std::uint8_t> touching_ = {0}; // by row: touched in the last step; one more: false
+    std::vector<std::uint32_t> open_;          // by partition and bin: a block with a free lane
+    BodyPartitions partitions_;
+    ReorderPolicy reorderPolicy_; // for lanes of contacts with a colour
+    std::uint64_t lanesState_ = 0;
+    std::uint32_t spare_ = 0;
+    PushLimit pushLimit_;
+    Features features_;
+    bool anyResident_ = false;
+    bool lanesStale_ = true;    // lanes are invalid in this step
+    bool rowsAssigned_ = false; // every contact with a colour has a lane
+    bool orderStale_ = true;
+};
+
+} // namespace KODO_PRECISION
+} // namespace kodo

@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: MIT
+// Included by contact_passes*.cpp, each of which is compiled for one instruction set. All functions
+// have internal linkage and call no inline function from elsewhere; lanes.hpp gives the reason.
+#include "lanes/contact_carry.inl"
+#include "lanes/contact_friction.inl"
+#include "lanes/contact_lanes.inl"
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+namespace {
+
+/// Rotation of both bodies by an impulse along a line.
+struct Turning {
+    Lanes leverA; // m, lever of the line
+    Lanes leverB;
+    Lanes a; // rad/s per N s: lever / inertia
+    Lanes b;
+};
+
+KODO_LANES_INLINE Turning turning(const Pair& pair, const Real* leverA, const Real* leverB) {
+    const Lanes ofA = load(leverA);
+    const Lanes ofB = load(leverB);
+    return {ofA, ofB, pair.inertiaA * ofA, pair.inertiaB * ofB};
+}
+/// Speed along one line per impulse along the other (m/s per N s), by rotation alone. Symmetric in
+/// the two lines.
+KODO_LANES_INLINE Lanes turnCoupling(const Turning& other, const Turning& line) {
+    return line.a * other.leverA + line.b * other.leverB;
+}
+/// Relative speed along the line (m/s) by angular velocities (rad/s). Angles (rad) give a
+/// displacement (m).
+KODO_LANES_INLINE Lanes speedOfTurns(const Turning& line, Lanes turnA, Lanes turnB) {
+    return line.leverB * turnB - line.leverA * turnA;
+}
+/// Applies angular impulses (N m s).
+KODO_LANES_INLINE void spin(Pair& pair, Lanes ofA, Lanes ofB) {
+    pair.a.z -= pair.inertiaA * ofA;
+    pair.b.z += pair.inertiaB * ofB;
+}
+/// Applies the angular part of an impulse (N s) along the line.
+KODO_LANES_INLINE void spin(Pair& pair, const Turning& line, Lanes impulse) {
+    pair.a.z -= line.a * impulse;
+    pair.b.z += line.b * impulse;
+}
+
+enum class Task {
+    Solve,       // biased: separates overlaps
+    RelaxNormal, // without bias, normal impulses only
+    Relax,       // without bias, with friction; adds up the sums of the step
+};
+
+/// Values shared by all contacts of a block.
+struct Rules {
+    Real biasRate;
+    Real massScale;
+    const PassSettings& settings;
+    const BlockUse& use;
+    Copies& copies;
+};
+
+/// State of one point of each contact before the impulses of this visit.
+struct Approach {
+    Lanes gap;       // m; < 0: overlap
+    Lanes speed;     // m/s, along the normal; < 0: approach
+    Lanes pushSpeed; // m/s, largest separating speed
+};
+
+/// Unclamped impulse of one point of each contact:
+///
+///   lambda = mass_scale (lambda_sum - m (v_n + bias))
+///
+/// This is the equation of Softness, since its two scales add up to 1. The returned mass is
+/// mass_scale m.
+///
+/// A gap s > 0 has mass_scale 1 and bias s/h, so it may close within the substep but not become an
+/// overlap. An overlap s < 0 has bias max(bias_rate s, -push_speed) in the biased pass. Without
+/// bias it has mass_scale 1 and bias 0. The speed is used last, since the previous block may just
+/// have stored it.
+template <Task task>
+KODO_LANES_INLINE Unclamped unclampedAt(const ContactBlock::Point& point, int at,
+                                        const Approach& approach, const Rules& rules) {
+    const Lanes impulse = load(point.impulse + at);
+    const Lanes mass = load(point.mass + at);
+    const Lanes close = approach.gap * all(rules.settings.invH);
+    if constexpr (task == Task::Solve) {
+        // The larger term is s/h for a gap and bias_rate s for an overlap, since bias_rate < 1/h.
+        const Lanes bias =
+            larger(larger(all(rules.biasRate) * approach.gap, close), -approach.pushSpeed);
+        const Lanes scale = approach.gap > Lanes{} ? all(1) : all(rules.massScale);
+        const Lanes scaled = scale * mass;
+        return {(scale * impulse - scaled * bias) - scaled * approach.speed, scaled};
+    } else {
+        return {(impulse - mass * larger(close, Lanes{})) - mass * approach.speed, mass};
+    }
+}
+
+/// Clamps the impulse of a point to >= 0 and stores it. Returns the change (N s).
+template <Task task>
+KODO_LANES_INLINE Lanes pushPoint(ContactBlock::Point& point, int at, Lanes unclamped, Real kept) {
+    const Lanes impulse = load(point.impulse + at);
+    const Lanes next = larger(unclamped, Lanes{});
+    store(point.impulse + at, next);
+    if constexpr (task == Task::Relax) {
+        store(point.largest + at, larger(kept * load(point.largest + at), next));
+    }
+    return next - impulse;
+}
+
+KODO_LANES_INLINE void solveRolling(RollingBlock& block, int at, Pair& pair, Lanes pressed) {
+    const Lanes impulse = load(block.impulse + at);
+    const Lanes limit = load(block.lever + at) * pressed;
+    const Lanes wanted = impulse - load(block.mass + at) * (pair.b.z - pair.a.z);
+    const Lanes next = larger(smaller(wanted, limit), -limit);
+    store(block.impulse + at, next);
+    spin(pair, next - impulse, next - impulse);
+}
+
+/// The velocities of kLanes contacts. `inertias`: 1/inertia of bodies a and b.
+template <bool isShared>
+KODO_LANES_INLINE Pair gatherPair(const ContactBlock& block, int at, BodyVelocity* motion,
+                                  const Couple& inertias, Shared shared) {
+    Pair pair{gather(firstHalf(motion), block.a + at), gather(firstHalf(motion), block.b + at),
+              inertias.x, inertias.y};
+    splitMass<isShared>(pair, shared);
+    return pair;
+}
+
+/// Solves kLanes contacts from the velocities before this visit. An impulse d1 at the first point
+/// lowers the unclamped impulse at the second by m2 k12 d1. It lowers the impulse that stops all
+/// sliding by mt k1t d1:
+///
+///   k12 = 1/mA + 1/mB + leverA1 leverA2 / IA + leverB1 leverB2 / IB,
+///   k1t = leverA1 leverAt / IA + leverB1 leverBt / IB
+///
+/// t is the tangent; k1t has no 1/m since tangent and normal are perpendicular. k2t is the same for
+/// the second point. So the result is that of sequential impulses, with a short dependency chain.
+/// The function is not split: the compiler would keep a struct of these values in memory.
+template <Task task, int points, bool isShared, bool unlike>
+KODO_LANES_INLINE void solveLanes(ContactBlock& block, RollingBlock* rolling, int at,
+                                  BodyVelocity* motion, const Rules& rules) {
+    const PassSettings& settings = rules.settings;
+    const Lanes nx = load(block.normalX + at);
+    const Lanes ny = load(block.normalY + at);
+    const Quad moveA = gather(secondHalf(motion), block.a + at);
+    const Quad moveB = gather(secondHalf(motion), block.b + at);
+    Pair pair = gatherPair<isShared>(block, at, motion, {moveA.w, moveB.w}, rules.use.shared);
+    ContactBlock::Point& point1 = block.points[0];
+    ContactBlock::Point& point2 = block.points[points - 1]; // the first again if there is one
+    const Turning line1 = turning(pair, point1.leverA + at, point1.leverB + at);
+    const Turning line2 = turning(pair, point2.leverA + at, point2.leverB + at);
+    const Turning tangent = turning(pair, block.tangentLeverA + at, block.tangentLeverB + at);
+    const Lanes moved = nx * (moveB.x - moveA.x) + ny * (moveB.y - moveA.y);
+    const Lanes dx = pair.b.x - pair.a.x;
+    const Lanes dy = pair.b.y - pair.a.y;
+    const auto approachAt = [&](const ContactBlock::Point& point, const Turning& line) {
+        return Approach{load(point.separation + at) + moved + speedOfTurns(line, moveA.z, moveB.z),
+                        (nx * dx + ny * dy) + speedOfTurns(line, pair.a.z, pair.b.z),
+                        load(block.pushSpeed + at)};
+    };
+    const Unclamped first = unclampedAt<task>(point1, at, approachAt(point1, line1), rules);
+    const Unclamped second = unclampedAt<task>(point2, at, approachAt(point2, line2), rules);
+    const Lanes response12 = (pair.a.w + pair.b.w) + turnCoupling(line2, line1);
+    const Lanes tangentMass = load(block.tangentMass + at);
+    Lanes stick = load(block.friction + at) -
+                  tangentMass * ((nx * dy - ny * dx) + speedOfTurns(tangent, pair.a.z, pair.b.z));
+    const Lanes coupling1t = tangentMass * turnCoupling(line1, tangent);
+    const Lanes coupling2t = tangentMass * turnCoupling(line2, tangent);
+    const Together wanted = together < points == 2 && task == Task::Relax,
+                   unlike > (block, at, first, second,
+                             {response12, coupling1t, coupling2t, tangentMass, stick});
+    Lanes change = pushPoint<task>(point1, at, wanted.first, settings.kept);
+    Lanes sum = load(point1.impulse + at);
+    spin(pair, line1, change);
+    stick -= coupling1t * change;
+    if constexpr (points == 2) {
+        const Lanes alone = second.impulse - second.mass * response12 * change;
+        const Lanes next = unlike ? (wanted.sticks ? wanted.second : alone) : alone;
+        const Lanes more = pushPoint<task>(point2, at, next, settings.kept);
+        sum += load(point2.impulse + at);
+        spin(pair, line2, more);
+        stick -= coupling2t * more;
+        change += more;
+    }
+    push(pair, nx, ny, change);
+    if (task == Task::Relax && settings.friction) {
+        const Lanes rubbed = rub<unlike>(block, at, stick, sum, settings.left);
+        push(pair, -ny, nx, rubbed);
+        spin(pair, tangent, rubbed);
+    }
+    if (task != Task::RelaxNormal && rolling != nullptr) {
+        solveRolling(*rolling, at, pair, sum);
+    }
+    if constexpr (task == Task::Relax) {
+        store(block.total + at, settings.kept * load(block.total + at) + sum);
+    }
+    putBackPair<isShared>(pair, block, at, motion, rules.use, rules.copies);
+}
+
+template <Task task, int points, bool isShared, bool unlike = false>
+KODO_LANES_INLINE void solveBlock(ContactBlock& block, RollingBlock* rolling, BodyVelocity* motion,
+                                  const Rules& rules) {
+    for (int at = 0; at < ContactBlock::kContacts; at += kLanes) {
+        solveLanes<task, points, isShared, unlike>(block, rolling, at, motion, rules);
+    }
+    if constexpr (isShared) {
+        joinCopies(block, motion, rules.use, rules.copies);
+    }
+}
+
+/// solveBlock() for a block with a shared body, or in the relax pass for one whose static friction
+/// differs from the kinetic one. Not inlined: both are rare.
+template <Task task, bool isShared, bool unlike>
+__attribute__((noinline)) void solveRare(ContactBlock& block, RollingBlock* rolling,
+                                         BodyVelocity* motion, const Rules& rules) {
+    if (rules.use.twoPoints) {
+        solveBlock<task, 2, isShared, unlike>(block, rolling, motion, rules);
+    } else {
+        solveBlock<task, 1, isShared, unlike>(block, rolling, motion, rules);
+    }
+}
+
+template <Task task>
+void solveBlocks(const ContactPassArguments& pass) {
+    const PassSettings& settings = pass.settings;
+    for (std::size_t k = 0; k < pass.count; ++k) {
+        prefetchBlock(
+            pass, k, task == Task::Solve ? &ContactBlock::pushSpeed : &ContactBlock::tangentLeverA);
+        const std::size_t i = pass.order[k];
+        const BlockUse& use = pass.use[i];
+        const Softness& soft = use.onLocked ? settings.onLocked : settings.soft;
+        Copies copies;
+        const Rules rules{soft.biasRate, soft.massScale, settings, use, copies};
+        RollingBlock* const rolling = use.rolling < 0 ? nullptr : pass.rolling + use.rolling;
+        ContactBlock& block = pass.blocks[i];
+        const bool unlike = task == Task::Relax && use.unlike;
+        if (use.shared != Shared::None) {
+            (unlike ? solveRare<task, true, task == Task::Relax>
+                    : solveRare<task, true, false>)(block, rolling, pass.motion, rules);
+        } else if (unlike) {
+            solveRare<task, false, task == Task::Relax>(block, rolling, pass.motion, rules);
+        } else if (use.twoPoints) {
+            solveBlock<task, 2, false>(block, rolling, pass.motion, rules);
+        } else {
+            solveBlock<task, 1, false>(block, rolling, pass.motion, rules);
+        }
+    }
+}
+
+void warmStartBlocks(const ContactPassArguments& pass) {
+    for (std::size_t k = 0; k < pass.count; ++k) {
+        prefetchBlock(pass, k, &ContactBlock::tangentLeverA);
+        const std::size_t i = pass.order[k];
+        ContactBlock& block = pass.blocks[i];
+        const BlockUse& use = pass.use[i];
+        const RollingBlock* const rolling = use.rolling < 0 ? nullptr : pass.rolling + use.rolling;
+        Copies copies;
+        for (int at = 0; at < ContactBlock::kContacts; at += kLanes) {
+            Pair pair{gather(firstHalf(pass.motion), block.a + at),
+                      gather(firstHalf(pass.motion), block.b + at),
+                      gather(secondHalf(pass.motion), block.a + at).w,
+                      gather(secondHalf(pass.motion), block.b + at).w};
+            if (use.shared != Shared::None) {
+                splitMass<true>(pair, use.shared);
+            }
+            const Lanes nx = load(block.normalX + at);
+            const Lanes ny = load(block.normalY + at);
+            const Lanes friction = load(block.friction + at);
+            const Lanes first = load(block.points[0].impulse + at);
+            const Lanes second = load(block.points[1].impulse + at);
+            const Lanes roll = rolling == nullptr ? Lanes{} : load(rolling->impulse + at);
+            const Lanes sum = first + second;
+            const auto momentBy = [&](const auto& lever1, const auto& lever2, const auto& tangent) {
+                return load(lever1 + at) * first + load(lever2 + at) * second +
+                       load(tangent + at) * friction + roll;
+            };
+            push(pair, sum * nx - friction * ny, sum * ny + friction * nx, all(1));
+            spin(pair,
+                 momentBy(block.points[0].leverA, block.points[1].leverA, block.tangentLeverA),
+                 momentBy(block.points[0].leverB, block.points[1].leverB, block.tangentLeverB));
+            if (use.shared != Shared::None) {
+                putBackPair<true>(pair, block, at, pass.motion, use, copies);
+            } else {
+                putBackPair<false>(pair, block, at, pass.motion, use, copies);
+            }
+        }
+        if (use.shared != Shared::None) {
+            joinCopies(block, pass.motion, use, copies);
+        }
+    }
+}
+
+/// The passes of this instruction set.
+[[maybe_unused]] constexpr ContactPasses passesNamed(const char* name) {
+    return {name,
+            warmStartBlocks,
+            solveBlocks<Task::Solve>,
+            solveBlocks<Task::RelaxNormal>,
+            solveBlocks<Task::Relax>,
+            carryBlocks};
+}
+
+} // namespace
+} // namespace KODO_PRECISION
+} // namespace kodo

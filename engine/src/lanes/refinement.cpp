@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+#include "lanes/refinement.hpp"
+
+#include "joints/anchor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+namespace {
+
+// Compression of contacts, in slops, above which substeps are divided. The substeps themselves add
+// a quarter to it.
+constexpr Real kMaxCompression = Real(1.6);
+// Least cosine between the acceleration of a body and the direction towards the other body with
+// which it presses on that body. Between steeper faces it is wedged, and presses harder than this.
+constexpr Real kLeastPress = Real(0.1);
+
+// Speed, in slops per second, from which on a body that leaves another one does not press on it.
+constexpr Real kLeaves = 36;
+// Contacts of a body that carry its weight as one does alone. The weight may be uneven.
+constexpr Real kCarriers = 4;
+
+/// Acceleration (m/s^2) that the spring of a contact has to carry, per mass of its lighter body, if
+/// the body presses on the other one; else 0.
+Real loadOf(const Bodies& bodies, const Contact& contact, std::uint32_t body, Real slop) {
+    const bool isA = contact.key.bodyA == body;
+    const Vec2 normal = contact.manifold.normal;
+    const Vec2 between =
+        bodies.motion[contact.key.bodyB].velocity - bodies.motion[contact.key.bodyA].velocity;
+    if (dot(normal, between) > kLeaves * slop) {
+        return 0;
+    }
+    const Vec2 acceleration = bodies.acceleration[body].linear;
+    const Real size = length(acceleration);
+    if (!(dot(acceleration, isA ? normal : -normal) > kLeastPress * size)) {
+        return 0;
+    }
+    const Real own = bodies.motion[body].invMass;
+    const Real other = bodies.motion[isA ? contact.key.bodyB : contact.key.bodyA].invMass;
+    return (own + other) / own * size;
+}
+
+/// The same for the limit of a rope, rod or prismatic joint that the body loads. A row of such
+/// joints carries the load on light bodies at both ends, so it counts twice.
+Real loadOf(const Bodies& bodies, const JointDef& def, std::uint32_t body, Real slop) {
+    const auto atLimit = [&](const auto& kind) {
+        const JointEnds& ends = kind.ends;
+        const Rot rotationA = bodies.pose[ends.a.index].rotation;
+        const Vec2 armA = armOf(bodies, ends.a.index, rotationA, ends.anchorA);
+        const Vec2 armB =
+            armOf(bodies, ends.b.index, bodies.pose[ends.b.index].rotation, ends.anchorB);
+        const Vec2 gap = (bodies.pose[ends.b.index].position + armB) -
+                         (bodies.pose[ends.a.index].position + armA);
+        Real place = length(gap);
+        if constexpr (requires { kind.axis; }) {
+            place = dot(rotationA * kind.axis, gap);
+        }
+        return kind.limits &&
+               (place < kind.limits->lower + slop || place > kind.limits->upper - slop);
+    };
+    const bool loaded = std::visit(
+        [&](const auto& kind) {
+            if constexpr (requires {
+                              kind.limits->lower;
+                              kind.ends;
+                              kind.length;
+                          }) {
+                return atLimit(kind);
+            } else if constexpr (requires { kind.motorForce; }) {
+                return atLimit(kind);
+            } else {
+                return false;
+            }
+        },
+        def);
+    const std::uint32_t a = firstBody(def).index;
+    const std::uint32_t b = secondBody(def).index;
+    const Real own = bodies.motion[body].invMass;
+    const Real other = bodies.motion[a == body ? b : a].invMass;
+    return loaded ? 2 * (own + other) / own * length(bodies.acceleration[body].linear) : 0;
+}
+
+} // namespace
+
+/// Lists the bodies that press too hard on another one, with their levels.
+void Refinement::findSeeds(const Step& step) {
+    seeds_.clear();
+    const Bodies& bodies = step.bodies;
+    const Real omega = 2 * std::numbers::pi_v<Real> * step.hertz;
+    const Real most = kMaxCompression * step.tolerances.slop * omega * omega; // m/s^2
+    const LoadRange& loads = bodies.loads;
+    // An upper bound of any load, so that the result does not depend on the lightest body of the
+    // World. A joint counts twice, see loadOf().
+    const Real factor = step.joints.busyCount() > 0 ? Real(2) : Real(1);
+    const auto presses = [&](Real invMass, Real accelerationSquared) {
+        const Real ratio = factor * (1 + loads.maxInvMass / invMass);
+        return ratio * ratio * accelerationSquared > most * most;
+    };
+    if (!presses(loads.minInvMass, loads.maxAccelerationSquared)) {
+        return;
+    }
+    for (const std::uint32_t body : bodies.awake) {
+        const Real invMass = bodies.motion[body].invMass;
+        if (!(invMass > 0) || !presses(invMass, lengthSquared(bodies.acceleration[body].linear))) {
+            continue;
+        }
+        Real load = 0;
+        Real carriers = 0;
+        step.contactSet.store().lists().forEach(body, [&](std::uint32_t slot) {
+            const Contact& contact = step.contactSet.contacts()[slot];
+            const Real separation = step.contactSet.summaries()[slot].separation[0];
+            if (contact.responds() && separation <= step.tolerances.slop) {
+                const Real own = loadOf(bodies, contact, body, step.tolerances.slop);
+                load = std::max(load, own);
+                carriers += own > 0 ? 1 : 0;
+            }
+        });
+        load /= std::max(Real(1), carriers / kCarriers);
+        step.joints.visitOf(body, [&](const JointSet::Joint& joint) {
+            load = std::max(load, loadOf(bodies, joint.def, body, step.tolerances.slop));
+        });
+        std::uint8_t level = 0;
+        while (level + 1u < kLevels && load > most * static_cast<Real>(1 << 2 * level)) {
+            ++level;
+        }
+        if (level > 0) {
+            seeds_.emplace_back(level, body);
+        }
+    }
+}
+
+/// Lists the pairs of bodies that joints connect.
+void Refinement::listJoints(const Step& step) {
+    joined_.clear();
+    step.joints.forEachBusy([&](const JointSet::Joint& joint) {
+        const std::uint32_t a = firstBody(joint.def).index;
+        const std::uint32_t b = secondBody(joint.def).index;
+        joined_.emplace_back(a, b);
+        joined_.emplace_back(b, a);
+    });
+    std::sort(joined_.begin(), joined_.end()); // total order: equal pairs are the same
+}
+
+/// Gives the level to all bodies of an island.
+void Refinement::spread(const Step& step, std::uint32_t body, std::uint8_t level) {
+    const Bodies& bodies = step.bodies;
+    const bool restitution = step.settings.has(Feature::Restitution);
+    const auto reach = [&](std::uint32_t other) {
+        if (!bodies.locked(other) && levels_[other] == 0) {
+            levels_[other] = level;
+            refined_.push_back(other);
+            queue_.push_back(other);
+        }
+    };
+    queue_.clear();
+    reach(body);
+    while (!queue_.empty()) {
+        const std::uint32_t next = queue_.back();
+        queue_.pop_back();
+        step.contactSet.store().lists().forEach(next, [&](std::uint32_t slot) {
+            const ContactSummary& summary = step.contactSet.summaries()[slot];
+            const std::uint32_t other = summary.bodyA == next ? summary.bodyB : summary.bodyA;
+            if (summary.meets && levels_[other] == 0 &&
+                needsRow(bodies, summary, restitution, step.tolerances.slop) &&
+                step.contactSet.contacts()[slot].responds()) {
+                reach(other);
+            }
+        });
+        for (auto pair = std::lower_bound(joined_.begin(), joined_.end(), Joined{next, 0});
+             pair != joined_.end() && pair->first == next; ++pair) {
+            reach(pair->second);
+        }
+    }
+}
+
+bool Refinement::find(const Step& step) {
+    std::swap(before_, refined_);
+    refined_.clear();
+    levelsThen_.clear();
+    for (const std::uint32_t body : before_) {
+        levelsThen_.push_back(levels_[body]);
+        levels_[body] = 0;
+    }
+    findSeeds(step);
+    if (!seeds_.empty()) {
+        listJoints(step);
+        std::sort(seeds_.begin(), seeds_.end(), std::greater<>()); // total order: bodies are unique
+        for (const auto& [level, body] : seeds_) {                 // the highest first
+            spread(step, body, level);
+        }
+        std::sort(refined_.begin(), refined_.end()); // total order: bodies are unique
+    }
+    const auto now = [&](std::uint32_t body) { return levels_[body]; };
+    return refined_ != before_ ||
+           !std::equal(refined_.begin(), refined_.end(), levelsThen_.begin(), levelsThen_.end(),
+                       [&](std::uint32_t body, std::uint8_t then) { return now(body) == then; });
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+// The collection of the contacts of a step: new rows, leaving ones, and crowds.
+#include "base/prefetch.hpp"
+
+#include <algorithm>
+
+#include "soft/soft_solver.hpp"
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+namespace {
+
+constexpr std::size_t kNewcomersPerPiece = 128;
+constexpr std::size_t kMany = 8; // with a larger part of bodies awake, whole arrays are cleared
+
+/// 0 for two bodies of rank 0.
+std::uint32_t hashOf(std::uint32_t rankA, std::uint32_t rankB) {
+    std::uint32_t hash = rankA * 0x9e3779b1u ^ rankB * 0x85ebca77u;
+    hash = (hash ^ hash >> 16) * 0x7feb352du;
+    hash = (hash ^ hash >> 15) * 0x846ca68bu;
+    return hash ^ hash >> 16;
+}
+
+/// True if the contact is kept, as its summary says.
+[[maybe_unused]] bool isKept(const Contact& contact, const ContactSummary& summary) {
+    return contact.isKept() && contact.row.index == summary.row;
+}
+
+/// True for a contact with an impact in this step after which its points separate, and stay apart
+/// until the end of the step although the forces press them together.
+bool isLeaving(const Bodies& bodies, const Contact& contact, Real dt) {
+    if (!(contact.impulse[0].impact + contact.impulse[1].impact > 0)) {
+        return false;
+    }
+    const std::uint32_t a = contact.key.bodyA;
+    const std::uint32_t b = contact.key.bodyB;
+    const Vec2 n = contact.manifold.normal;
+    const Real pressing =
+        dot(n, bodies.acceleration[a].linear - bodies.acceleration[b].linear) * dt / 2;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
+        const ManifoldPoint& p = contact.manifold.points[i];
+        const Vec2 apart =
+            velocityAt(bodies.motion[b], p.armB) - velocityAt(bodies.motion[a], p.armA);
+        if (dot(n, apart) < std::max(pressing, Real(0))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+} // namespace
+
+/// Clears the marks of all bodies, then marks those with joints.
+void SoftSolver::clearMarks(const Bodies& bodies, const JointSet& joints) {
+    anyDeep_ = anyCrowded_ = 0;
+    if (kMany * bodies.awake.size() > bodies.size()) {
+        std::fill(overlapCount_.begin(), overlapCount_.end(), std::uint16_t{0});
+        std::fill(near_.begin(), near_.end(), std::uint8_t{0});
+        std::fill(touched_.begin(), touched_.end(), std::uint8_t{0});
+    } else {
+        for (const std::uint32_t body : bodies.awake) {
+            near_[body] = 0;
+            touched_[body] = 0;
+            overlapCount_[body] = 0;
+        }
+    }
+    joints.forEachBusy([&](const JointSet::Joint& joint) {
+        touched_[firstBody(joint.def).index] = 1;
+        touched_[secondBody(joint.def).index] = 1;
+    });
+}
+
+/// Takes a contact for which keep() does not suffice. Contacts that need another lane are added to
+/// `newcomers`.
+void SoftSolver::takeNew(const Bodies& bodies, ContactSet& contactSet, std::uint32_t place,
+                         bool friction, std::vector<std::uint32_t>& newcomers) {
+    Contact& contact = contactSet.contacts()[place];
+    if (!friction) {
+        contact.friction = 0; // from a step with friction
+    }
+    if (blocks_.take(bodies, contact)) {
+        contactSet.noteRow(place);
+    } else {
+        newcomers.push_back(place);
+    }
+}
+
+/// Removes a contact from the solver.
+void SoftSolver::releaseRow(const Bodies& bodies, ContactSet& contactSet, std::uint32_t place) {
+    Contact& contact = contactSet.contacts()[place];
+    blocks_.evict(contact, bodies);
+    contact.row = {};
+    contact.carried = false;
+    contactSet.noteRow(place);
+}
+
+/// Prepares the collection of contacts in a step.
+void SoftSolver::beginCollecting(const Bodies& bodies, ContactSet& contactSet,
+                                 const JointSet& joints, const Step& step) {
+    const std::uint32_t partitions = step.team.partitions();
+    bool shared = false;
+    for (std::uint32_t level = 0; partitions > 1 && level < ContactBlocks::kLevels; ++level) {
+        shared = shared || blocks_.worthPartitioning(level);
+    }
+    if (blocks_.countReorder() || (shared && blocks_.partitions().count() != partitions)) {
+        blocks_.rebuildGraph(bodies, contactSet, shared ? partitions : 1);
+    }
+    blocks_.begin(bodies, contactSet.contacts(), step.settings.has(Feature::Friction),
+                  step.settings.has(Feature::RollingResistance));
+    clearMarks(bodies, joints);
+    newcomers_.clear();
+}
+
+/// Collects the contacts for the blocks, and marks bodies that are touched or crowded. A body
+/// inside a heap is separated from many others, and those behind it add to this. Together they must
+/// not exceed the push speed of one contact, or the heap would burst.
+void SoftSolver::collect(const Bodies& bodies, ContactSet& contactSet, const JointSet& joints,
+                         const Step& step) {
+    const std::span<const std::uint32_t> live = contactSet.live();
+    beginCollecting(bodies, contactSet, joints, step);
+    found_.gather(
+        step.team, live.size(), kNewcomersPerPiece, newcomers_,
+        [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& newcomers) {
+            forPieces(first, last, kNewcomersPerPiece, [&](auto from, auto to) {
+                collectPiece({bodies, contactSet, step}, live.subspan(from, to - from), newcomers);
+            });
+        });
+}
+
+/// First the kept contacts, by their summaries alone, then the others.
+void SoftSolver::collectPiece(const Collecting& run, std::span<const std::uint32_t> places,
+                              std::vector<std::uint32_t>& newcomers) {
+    const Bodies& bodies = run.bodies;
+    ContactSet& contactSet = run.contactSet;
+    const Step& step = run.step;
+    const std::span<Contact> contacts = contactSet.contacts();
+    // local copies, since a byte store may alias the originals
+    const ContactSummary* const summaryOf = contactSet.summaries().data();
+    const bool friction = step.settings.has(Feature::Friction);
+    const bool restitution = step.settings.has(Feature::Restitution);
+    const bool keeps = friction && blocks_.keepsLanes();
+    const Real slop = step.tolerances.slop;
+    PrefetchList<kNewcomersPerPiece> visited;
+    for (const std::uint32_t place : places) {
+        const ContactSummary& summary = summaryOf[place];
+        if (keeps && summary.kept && needsRow(bodies, summary, restitution, slop)) {
+            KODO_ASSERT(isKept(contacts[place], summary));
+            blocks_.keep(summary.row);
+            noteExposure(run, summary, false);
+        } else if (!keeps || summary.meets || summary.row != ContactRow::kNone) {
+            visited.add(place);
+        }
+    }
+    visitPrefetched<4>(visited.list(), contacts, [&](std::uint32_t place) {
+        if (needsRow(bodies, summaryOf[place], restitution, slop) && contacts[place].responds()) {
+            takeNew(bodies, contactSet, place, friction, newcomers);
+            noteExposure(run, summaryOf[place], isLeaving(bodies, contacts[place], step.dt));
+        } else {
+            releaseRow(bodies, contactSet, place);
+        }
+    });
+}
+
+/// Marks both bodies as touched or near, and notes deep overlaps. A body that leaves is only near,
+/// so it follows its parabola from the impact on.
+void SoftSolver::noteExposure(const Collecting& run, const ContactSummary& summary, bool leaves) {
+    const Bodies& bodies = run.bodies;
+    const WorkerTeam& team = run.step.team;
+    const Real slop = run.step.tolerances.slop;
+    const Real separation = summary.separation[0];
+    std::uint8_t* const marks = separation <= slop && !leaves ? touched_.data() : near_.data();
+    WorkerTeam::mark(marks[summary.bodyA]);
+    WorkerTeam::mark(marks[summary.bodyB]);
+    if (separation < -4 * slop) {
+        countOverlap(bodies, summary, team);
+    }
+    if (separation < OverlapRelaxation::deepBelow(slop)) {
+        WorkerTeam::mark(anyDeep_);
+    }
+}
+
+/// Counts an overlap beyond four slops for both bodies.
+void SoftSolver::countOverlap(const Bodies& bodies, const ContactSummary& summary,
+                              const WorkerTeam& team) {
+    for (const std::uint32_t body : {summary.bodyA, summary.bodyB}) {
+        if (bodies.locked(body)) {
+            continue;
+        }
+        const auto count = static_cast<std::uint16_t>(team.count(overlapCount_[body]) + 1);
+        if (count > ContactBlocks::kNeighbours) {
+            WorkerTeam::mark(anyCrowded_);
+        }
+    }
+}
+
+/// After a step with a crowd: what becomes inactive or immovable before the next one counts
+/// nothing.
+void SoftSolver::clearOverlapCounts(ContactSet& contactSet) {
+    for (const std::uint32_t place : contactSet.live()) {
+        const ContactSummary& summary = contactSet.summaries()[place];
+        overlapCount_[summary.bodyA] = overlapCount_[summary.bodyB] = 0;
+    }
+}
+
+/// In a crowd, drops new contacts without a colour, so that about kMostOverlaps of a body are left:
+/// always the same, by a hash of the ranks. The others follow as the crowd thins out.
+void SoftSolver::thinOut(Bodies& bodies, ContactSet& contactSet) {
+    std::erase_if(newcomers_, [&](std::uint32_t place) {
+        const Contact& contact = contactSet.contacts()[place];
+        const auto& [bodyA, partA, bodyB, partB] = contact.key;
+        if (contact.row.colour != ContactRow::kNoColour || bodies.locked(bodyA) ||
+            bodies.locked(bodyB)) {
+            return false;
+        }
+        constexpr std::uint32_t kMost = ContactBlocks::kMostOverlaps;
+        const std::uint32_t crowd = std::max(overlapCount_[bodyA], overlapCount_[bodyB]);
+        const std::uint32_t hash =
+            hashOf(bodies.record[bodyA].crowdRank, bodies.record[bodyB].crowdRank);
+        const bool drops = crowd > kMost && hash % crowd >= kMost;
+        if (drops) {
+            releaseRow(bodies, contactSet, place);
+        }
+        return drops;
+    });
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo

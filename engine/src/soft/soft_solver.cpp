@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: MIT
+#include "soft/soft_solver.hpp"
+
+#include "bodies/integrate.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+namespace {
+
+// Largest part of a cycle of contact and joint springs in a substep. With 1/4 for contacts piles
+// shake for long and creep apart; with 1/5 they come to rest.
+constexpr Real kMostCycles = Real(0.21);
+constexpr Real kMostJointCycles = Real(0.25);
+// With 0, rows of ten springs of 1,000 Hz gain energy; with 4 or 8 they gain none.
+constexpr int kSpringPasses = 4;
+
+} // namespace
+
+void SoftSolver::makeRoom(const Bodies& bodies) {
+    resizeByBody(exposure_, bodies);
+    resizeByBody(near_, bodies);
+    resizeByBody(touched_, bodies);
+    resizeByBody(overlapCount_, bodies);
+    resizeByBody(before_, bodies);
+    refinement_.makeRoom(bodies);
+    loadRelease_.makeRoom(bodies);
+    groups_[0].overlapRelaxation.makeRoom(bodies);
+}
+
+/// Lists the bodies of joints that RevoluteBlocks does not solve, each once.
+void SoftSolver::findJointed(const JointSet& joints) {
+    jointed_.clear();
+    joints.forEachOwn([&](const JointSet::Joint& joint) {
+        jointed_.push_back(firstBody(joint.def).index);
+        jointed_.push_back(secondBody(joint.def).index);
+    });
+    std::sort(jointed_.begin(), jointed_.end()); // total order: equal indices are identical
+    jointed_.erase(std::unique(jointed_.begin(), jointed_.end()), jointed_.end());
+    fromJoints_.resize(jointed_.size());
+    beforeJoints_.resize(jointed_.size());
+}
+
+/// True if no contact needs a row; then none has one.
+bool SoftSolver::noneNeedsRow(const Bodies& bodies, ContactSet& contactSet,
+                              const StepSettings& settings, const Tolerances& tolerances) {
+    for (const std::uint32_t place : contactSet.live()) {
+        if (contactSet.contacts()[place].responds() &&
+            needsRow(bodies, contactSet.summaries()[place], settings.has(Feature::Restitution),
+                     tolerances.slop)) {
+            return false;
+        }
+        releaseRow(bodies, contactSet, place);
+    }
+    return true;
+}
+
+/// Moves bodies without contacts and joints over the whole step. So their flight does not depend on
+/// the substeps, not even by rounding. The others are listed in their groups.
+void SoftSolver::moveFree(Bodies& bodies, Real dt) {
+    for (Group& group : groups_) {
+        group.bound.clear();
+    }
+    std::vector<std::uint32_t>& bound = groups_[0].bound;
+    free_.resize(bodies.awake.size());
+    bound.resize(bodies.awake.size());
+    kinematic_.clear();
+    std::size_t free = 0;
+    std::size_t held = 0;
+    for (const std::uint32_t body : bodies.awake) {
+        const ContactExposure near =
+            near_[body] != 0 ? ContactExposure::Near : ContactExposure::Free;
+        const ContactExposure hold = touched_[body] != 0 ? ContactExposure::Touched : near;
+        exposure_[body] = hold;
+        free_[free] = bound[held] = body; // only one of the two counts advances
+        free += hold == ContactExposure::Free ? 1 : 0;
+        held += hold == ContactExposure::Free ? 0 : 1;
+    }
+    free_.resize(free);
+    bound.resize(held);
+    if (bodies.loads.driven) {
+        std::copy_if(bound.begin(), bound.end(), std::back_inserter(kinematic_),
+                     [&](std::uint32_t body) { return bodies.locked(body); });
+    }
+    if (!refinement_.levels().empty()) {
+        splitGroups(bodies);
+    }
+    moveFreely(bodies, free_, dt);
+}
+
+/// Moves the bodies of refined islands from the first group to the group of their level. Kinematic
+/// bodies belong to each group that has other bodies.
+void SoftSolver::splitGroups(const Bodies& bodies) {
+    std::vector<std::uint32_t>& all = groups_[0].bound;
+    std::size_t kept = 0;
+    for (const std::uint32_t body : all) {
+        const bool kinematic = bodies.locked(body);
+        for (std::uint32_t level = 1; level < Refinement::kLevels; ++level) {
+            if (kinematic || refinement_.levelOf(body) == level) {
+                groups_[level].bound.push_back(body);
+            }
+        }
+        if (kinematic || refinement_.levelOf(body) == 0) {
+            all[kept++] = body;
+        }
+    }
+    all.resize(kept);
+    for (Group& group : groups_) {
+        if (group.bound.size() == kinematic_.size()) {
+            group.bound.clear();
+        }
+    }
+}
+
+/// Sets the displacement of kinematic bodies to that of the whole step, after the last group. So no
+/// group affects its rounding.
+void SoftSolver::moveKinematic(Bodies& bodies, Real dt) {
+    for (const std::uint32_t body : kinematic_) {
+        bodies.motion[body].clearDisplacement();
+    }
+    moveFreely(bodies, kinematic_, dt);
+}
+
+void SoftSolver::solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints, const Step& step) {
+    if (joints.busyCount() == 0 &&
+        noneNeedsRow(bodies, contactSet, step.settings, step.tolerances)) {
+        if (blocks_.size() > 0) {
+            blocks_.releaseAll(bodies);
+        }
+        moveFreely(bodies, bodies.awake, step.dt);
+        visits_ = 0;
+    } else {
+        solveHeld(bodies, contactSet, joints, step);
+    }
+}
+
+/// solve() for a step in which some bodies have contacts or joints.
+void SoftSolver::solveHeld(Bodies& bodies, ContactSet& contactSet, JointSet& joints,
+                           const Step& step) {
+    const auto& [settings, tolerances, dt, team] = step;
+    const SoftSettings& soft = std::get<SoftSettings>(settings.solver);
+    const Real hertz =
+        std::min(soft.contactHertz, kMostCycles * static_cast<Real>(soft.substeps) / dt);
+    if (refinement_.find({bodies, contactSet, joints, settings, tolerances, hertz})) {
+        blocks_.refine(refinement_, contactSet, bodies);
+    }
+    collect(bodies, contactSet, joints, step);
+    if (anyCrowded_ != 0) {
+        thinOut(bodies, contactSet);
+    }
+    contactSet.store().sortByKey(newcomers_); // colours depend on the order
+    blocks_.arrange(bodies, contactSet.contacts(), newcomers_,
+                    anyCrowded_ != 0 ? std::span<const std::uint16_t>(overlapCount_)
+                                     : std::span<const std::uint16_t>(),
+                    soft.pushSpeed * tolerances.slop * Tolerances::kSlopsPerUnit);
+    for (const std::uint32_t place : newcomers_) {
+        contactSet.noteRow(place);
+    }
+    joints.beginStep();
+    joints.boundBias(contactSet, tolerances.slop,
+                     soft.pushSpeed * tolerances.slop * Tolerances::kSlopsPerUnit);
+    moveFree(bodies, dt);
+    visits_ = 0;
+    for (std::uint32_t level = 0; level < Refinement::kLevels; ++level) {
+        if (!groups_[level].bound.empty()) {
+            solveGroup(bodies, contactSet, joints, step, level);
+        }
+    }
+    moveKinematic(bodies, dt);
+    if (anyCrowded_ != 0) {
+        clearOverlapCounts(contactSet);
+    }
+    blocks_.noteTouching(tolerances.slop, team);
+}
+
+/// Solves the islands of a level.
+void SoftSolver::solveGroup(Bodies& bodies, ContactSet& contactSet, JointSet& joints,
+                            const Step& step, std::uint32_t level) {
+    const auto& [settings, tolerances, dt, team] = step;
+    const SoftSettings& soft = std::get<SoftSettings>(settings.solver);
+    Group& group = groups_[level];
+    const int parts = 1 << level;
+    const int substeps = parts * soft.substeps;
+    const Real h = dt / static_cast<Real>(soft.substeps) / static_cast<Real>(parts);
+    const Real hertz = std::min(soft.contactHertz * static_cast<Real>(parts), kMostCycles / h);
+    const ContactPassArguments pass =
+        blocks_.pass(bodies, level,
+                     {Softness::from(hertz, soft.contactDamping, h),
+                      Softness::from(2 * hertz, soft.contactDamping, h), 1 / h,
+                      settings.has(Feature::Friction), 1});
+    if (anyDeep_ != 0) {
+        group.overlapRelaxation.find({pass, blocks_.passOrder().colours(level),
+                                      OverlapRelaxation::deepBelow(tolerances.slop),
+                                      overlapCount_});
+    } else {
+        group.overlapRelaxation.clear();
+    }
+    const Real jointHertz =
+        std::min(soft.jointHertz * static_cast<Real>(parts), kMostJointCycles / h);
+    JointPass jointPass{h, Softness::from(jointHertz, soft.jointDamping, h)};
+    jointPass.springPasses = kSpringPasses;
+    joints.beginGroup(bodies, DirectSolve::LoadedTrees, refinement_.levels(), level);
+    joints.scaleImpulses(1 / static_cast<Real>(parts));
+    revolutes_.begin(bodies, joints);
+    findJointed(joints);
+    for (const std::uint32_t body : kinematic_) {
+        bodies.motion[body].clearDisplacement();
+    }
+    WorkerTeam serial;
+    const bool helped =
+        blocks_.worthPartitioning(level) && blocks_.partitions().count() == team.partitions();
+    const Real pushSpeed = soft.pushSpeed * tolerances.slop * Tolerances::kSlopsPerUnit;
+    Substeps run{bodies,     contactSet, joints,
+                 group,      pass,       jointPass,
+                 tolerances, pushSpeed,  helped ? team : serial};
+    if (!run.team.alone()) {
+        group.partitions.buildGraph(
+            {blocks_, level, pass, contactSet.contacts(), newcomers_, group.bound, bodies.size()},
+            run.team);
+    }
+    runSubsteps(run, substeps);
+    revolutes_.end(joints);
+    joints.scaleImpulses(static_cast<Real>(parts));
+    visits_ += (2 * blocks_.size(level) + group.overlapRelaxation.visits()) *
+               static_cast<std::size_t>(substeps);
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo/settings.hpp>
+
+#include "base/worker_team.hpp"
+#include "bodies/bodies.hpp"
+#include "bodies/integrate.hpp"
+#include "contacts/contact_set.hpp"
+#include "joints/joint_set.hpp"
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "lanes/block_partitions.hpp"
+#include "lanes/contact_blocks.hpp"
+#include "lanes/refinement.hpp"
+#include "soft/load_release.hpp"
+#include "soft/overlap_relaxation.hpp"
+#include "soft/revolute_blocks.hpp"
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+
+/// Contacts and joints in substeps [Catto24]. Each substep integrates the forces and warm starts
+/// with the impulses of the substep before. A biased pass separates overlaps as soft contacts, and
+/// the bodies move. A relax pass without bias then removes the velocity that the bias added; deep
+/// overlaps get more relax passes. Large mass ratios and very large forces divide the substeps of
+/// their islands further; see Refinement.
+///
+///   lambda = -m (s v_n + bias) - c lambda_sum,  lambda_sum >= 0;  |friction| <= mu lambda_sum
+///
+/// The sums are clamped, not the increments. So a later pass may take back what an earlier one
+/// overdid, and friction depends neither on restitution nor on the number of passes.
+///
+/// Contact arms are fixed for the step. So the contact impulses of a substep change the velocity of
+/// a body by the same amount in the next one. Warm starting applies that change body by body; only
+/// the first substep sums it over the contacts.
+class SoftSolver {
+public:
+    struct Step {
+        const StepSettings& settings;
+        const Tolerances& tolerances;
+        Real dt; // s
+        WorkerTeam& team;
+    };
+
+    /// Sizes the arrays by body, so that no first use costs a step as much as all bodies.
+    void makeRoom(const Bodies& bodies);
+    void solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints, const Step& step);
+    /// Visits of contacts in the last step.
+    std::size_t visits() const { return visits_; }
+    /// Storage of the resident contacts.
+    const ContactBlocks& blocks() const { return blocks_; }
+    ContactBlocks& blocks() { return blocks_; }
+
+private:
+    using Velocity = LoadRelease::Velocity;
+
+    /// What is solved with substeps of one length: the islands of one level of Refinement.
+    struct Group {
+        std::vector<std::uint32_t>
+            bound; // awake bodies with contacts or joints, and kinematic ones
+        BlockPartitions partitions;
+        OverlapRelaxation overlapRelaxation;
+    };
+    /// Inputs of all substeps of a group.
+    struct Substeps {
+        Bodies& bodies;
+        ContactSet& contactSet;
+        JointSet& joints;
+        Group& group;
+        const ContactPassArguments& pass;
+        JointPass& jointPass;
+        const Tolerances& tolerances;
+        Real pushSpeed; // m/s
+        WorkerTeam& team;
+    };
+    /// A part of a substep: a pass over all blocks, or work on all bodies of the group.
+    struct Phase {
+        ContactPasses::Pass pass = nullptr;
+        PassSettings settings{};
+        void (SoftSolver::*work)(Bodies& bodies, std::span<const std::uint32_t> list,
+                                 Real h) = nullptr;
+        std::uint32_t firstPhase = 0; // number in WorkerTeam::inPhases
+    };
+
+    /// Inputs of collectPiece().
+    struct Collecting {
+        const Bodies& bodies;
+        ContactSet& contactSet;
+        const Step& step;
+    };
+
+    void collect(const Bodies& bodies, ContactSet& contactSet, const JointSet& joints,
+                 const Step& step);
+    void collectPiece(const Collecting& run, std::span<const std::uint32_t> places,
+                      std::vector<std::uint32_t>& newcomers);
+    void noteExposure(const Collecting& run, const ContactSummary& summary, bool leaves);
+    void clearOverlapCounts(ContactSet& contactSet);
+    void clearMarks(const Bodies& bodies, const JointSet& joints);
+    void beginCollecting(const Bodies& bodies, ContactSet& contactSet, const JointSet& joints,
+                         const Step& step);
+    void takeNew(const Bodies& bodies, ContactSet& contactSet, std::uint32_t place, bool friction,
+                 std::vector<std::uint32_t>& newcomers);
+    void releaseRow(const Bodies& bodies, ContactSet& contactSet, std::uint32_t place);
+    void countOverlap(const Bodies& bodies, const ContactSummary& summary, const WorkerTeam& team);
+    void thinOut(Bodies& bodies, ContactSet& contactSet);
+    void findJointed(const JointSet& joints);
+    void solveHeld(Bodies& bodies, ContactSet& contactSet, JointSet& joints, const Step& step);
+    bool noneNeedsRow(const Bodies& bodies, ContactSet& contactSet, const StepSettings& settings,
+                      const Tolerances& tolerances);
+    void moveFree(Bodies& bodies, Real dt);
+    void solveGroup(Bodies& bodies, ContactSet& contactSet, JointSet& joints, const Step& step,
+                    std::uint32_t level);
+    void splitGroups(const Bodies& bodies);
+    void moveKinematic(Bodies& bodies, Real dt);
+    template <typename Pass>
+    void passJoints(Substeps& run, Pass pass);
+    void runSubsteps(Substeps& run, int substeps);
+    void runSubstep(Substeps& run, int substep, int substeps);
+    void relaxDeepOverlaps(Substeps& run);
+    void releaseLoads(Substeps& run);
+    void beginVelocities(Bodies& bodies, std::span<const std::uint32_t> list, Real h);
+    void nextVelocities(Bodies& bodies, std::span<const std::uint32_t> list, Real h);
+    void move(Bodies& bodies, std::span<const std::uint32_t> list, Real h);
+    void addPhase(Substeps& run, const Phase& phase);
+    void runPhases(Substeps& run);
+
+    ContactBlocks blocks_;
+    Refinement refinement_;
+    std::array<Group, Refinement::kLevels> groups_; // by level
+    RevoluteBlocks revolutes_;
+    LoadRelease loadRelease_;
+    std::vector<Phase> phases_;            // queued for the worker team
+    std::vector<std::uint32_t> newcomers_; // indices of contacts that need a lane
+    ParallelCollector<std::uint32_t> found_;
+    std::vector<ContactExposure> exposure_; // by body
+    std::vector<std::uint8_t> near_;        // by body: marks that determine exposure_
+    std::vector<std::uint8_t> touched_;
+    std::vector<std::uint16_t> overlapCount_; // by body: number of overlaps beyond four slops
+    std::uint8_t anyCrowded_ = 0;             // some body has too many of these
+    std::uint8_t anyDeep_ = 0;                // some overlap needs OverlapRelaxation
+    std::size_t visits_ = 0;
+    std::vector<Velocity> before_;    // by body: with the forces of the substep, without contacts
+    std::vector<std::uint32_t> free_; // bodies without contacts and joints in this step
+    std::vector<std::uint32_t> kinematic_; // moving kinematic bodies with contacts or joints
+    std::vector<std::uint32_t> jointed_;   // bodies in order; index the next two
+    std::vector<Velocity> fromJoints_;     // velocity change in this substep
+    std::vector<Velocity> beforeJoints_;   // velocity before a pass over the joints
+};
+
+} // namespace KODO_PRECISION
+} // namespace kodo
