@@ -80,7 +80,7 @@ TEST(SnapshotRefused, WithAReason) {
     EXPECT_EQ(refusalOf({}), "the bytes end too soon");
     EXPECT_EQ(refusalOf(changed(good, 0, 'k')), "these bytes are no snapshot of a Kodo World");
     EXPECT_EQ(refusalOf(changed(good, kFormatAt, 200)),
-              "the snapshot has format 200, but this version of Kodo reads format 12");
+              "the snapshot has format 200, but this version of Kodo reads format 13");
     const int mine = sizeof(Real);
     const int other = 12 - mine;
     EXPECT_EQ(refusalOf(changed(good, kPrecisionAt, other)),
@@ -187,8 +187,8 @@ TEST(SnapshotLoad, RandomChangesWithAValidChecksumAreRefusedOrSound) {
 
 /// Offset of the bytes of a number that the World contains once.
 std::size_t placeOf(const Bytes& bytes, Real number) {
-    ByteStream stream;
-    stream.number(number);
+    StateStream stream;
+    stream(number);
     const Bytes wanted = stream.takeWritten();
     const auto found = std::search(bytes.begin(), bytes.end(), wanted.begin(), wanted.end());
     EXPECT_NE(found, bytes.end()) << number;
@@ -199,8 +199,8 @@ std::size_t placeOf(const Bytes& bytes, Real number) {
 std::string refusalWith(const World& world, Real number, Real instead) {
     Bytes bytes = toBytes(world);
     const std::size_t place = placeOf(bytes, number);
-    ByteStream stream;
-    stream.number(instead);
+    StateStream stream;
+    stream(instead);
     const Bytes other = stream.takeWritten();
     std::copy(other.begin(), other.end(), bytes.begin() + static_cast<std::ptrdiff_t>(place));
     seal(bytes);
@@ -231,9 +231,9 @@ TEST(SnapshotRefused, ValuesThatDefinitionsRefuse) {
 // Regression: a NaN in a contact was accepted, and was in a collision record then.
 TEST(SnapshotRefused, NotANumberAtAnyPlace) {
     const Bytes good = toBytes(smallWorld());
-    ByteStream stream;
+    StateStream stream;
     Real number = std::numeric_limits<Real>::quiet_NaN();
-    stream.number(number);
+    stream(number);
     const Bytes nan = stream.takeWritten();
     const auto isSound = [](const World& world) {
         for (const BodyId id : world.bodies()) {

@@ -4,7 +4,7 @@
 #include <kodo/kodo.hpp>
 #include <support/random_numbers.hpp>
 
-#include "base/byte_stream.hpp"
+#include "base/state_stream.hpp"
 
 #include <memory>
 #include <vector>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/assert.hpp"
+#include "base/state_stream.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -53,9 +54,19 @@ public:
     /// Number of slots ever made, alive or not: the size of an array indexed by them.
     std::size_t capacity() const { return generations_.size(); }
 
-private:
-    friend class SnapshotFields;
+    void visitState(StateStream& stream) {
+        auto& [generations, free] = *this;
+        stream(generations, free);
+        std::vector<bool> seen(generations.size());
+        for (const std::uint32_t index : free) {
+            require(index < generations.size() && generations[index] % 2 == 0 &&
+                        generations[index] != 0 && !seen[index],
+                    "the list of free ids is wrong");
+            seen[index] = true;
+        }
+    }
 
+private:
     std::vector<std::uint32_t> generations_;
     std::vector<std::uint32_t> free_;
 };

@@ -208,6 +208,9 @@ inline bool isSound(const Acceleration& acceleration) {
     return isFinite(acceleration.linear) && std::isfinite(acceleration.angular);
 }
 
+void visitState(StateStream& stream, Bodies& bodies,
+                std::shared_ptr<const BodyGeometry>& lastGeometry);
+
 /// Brings Bodies::awake up to date. True if any body may have become active or inactive;
 /// BodyChanges::toggled lists those that did.
 bool refreshAwake(Bodies& bodies);

@@ -3,6 +3,8 @@
 
 #include <kodo/math.hpp>
 
+#include "base/state_stream.hpp"
+
 #include <cstddef>
 #include <limits>
 
@@ -32,6 +34,10 @@ struct BodyVelocity {
     }
     /// True if neither impulses nor torques can move the body.
     bool locked() const { return invMass == 0 && invInertia == 0; }
+    void visitState(StateStream& stream) { // masses follow from geometry and flags
+        auto& [ownVelocity, spin, ownInvMass, way, turn, ownInvInertia] = *this;
+        stream(ownVelocity, spin, way, turn);
+    }
 };
 
 /// Applies an impulse (N s) and an angular one (N m s), with the masses of a pass. A locked body is

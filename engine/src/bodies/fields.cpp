@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/force_field.hpp>
+#include "bodies/field_checks.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
@@ -74,6 +75,22 @@ Submerged submergedPolygon(const ConvexShape& polygon, const Transform& t, Vec2 
     return sum.result();
 }
 
+/// A field as the arguments of its constructor, returned by the given functions.
+template <typename Field, typename... Values>
+void visitField(StateStream& stream, std::shared_ptr<const ForceField>& field,
+                Values (Field::*... get)() const) {
+    std::tuple<Values...> values;
+    if (!stream.reads()) {
+        const auto& own = static_cast<const Field&>(*field);
+        values = {(own.*get)()...};
+    }
+    std::apply([&](auto&... each) { stream(each...); }, values);
+    if (stream.reads()) {
+        field = std::apply(
+            [](const auto&... value) { return std::make_shared<const Field>(value...); }, values);
+    }
+}
+
 } // namespace
 
 FieldForce Drag::at(const BodyView& body, Real) const {
@@ -136,6 +153,43 @@ FieldForce Buoyancy::at(const BodyView& body, Real dt) const {
         push.spinDrag += spinDrag + drag * lengthSquared(arm);
     }
     return push;
+}
+
+void visitState(StateStream& stream, FieldEntry& entry, OwnFields& ownFields) {
+    auto& [field, which] = entry;
+    FieldKind kind = field ? field->kind() : FieldKind::Own;
+    stream(kind);
+    switch (kind) {
+    case FieldKind::Own:
+        if (stream.reads()) {
+            require(!ownFields.empty(),
+                    "fewer user-defined force fields were given than the snapshot needs: give them "
+                    "to fromBytes(), in the order of World::fields()");
+            require(ownFields.front() != nullptr, "a given force field is null");
+            field = ownFields.front();
+            ownFields = ownFields.subspan(1);
+        }
+        break;
+    case FieldKind::Gravity:
+        visitField(stream, field, &Gravity::acceleration);
+        break;
+    case FieldKind::Drag:
+        visitField(stream, field, &Drag::law, &Drag::air);
+        break;
+    case FieldKind::Wind:
+        visitField(stream, field, &Wind::law, &Wind::velocity, &Wind::region);
+        break;
+    case FieldKind::Attractor:
+        visitField(stream, field, &Attractor::law, &Attractor::center, &Attractor::strength,
+                   &Attractor::softening);
+        break;
+    case FieldKind::Buoyancy:
+        visitField(stream, field, &Buoyancy::fluid, &Buoyancy::surface, &Buoyancy::gravity);
+        break;
+    default:
+        require(false, "the kind of a force field is unknown");
+    }
+    stream(which);
 }
 
 } // namespace KODO_PRECISION

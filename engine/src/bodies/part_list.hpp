@@ -4,6 +4,8 @@
 #include <kodo/body.hpp>
 #include <kodo/measure.hpp>
 
+#include "base/state_stream.hpp"
+
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -26,11 +28,16 @@ struct FormerBody {
     std::uint64_t userData = 0;
 };
 
+/// What a definition says of a part.
+void visitState(StateStream& stream, Part& part);
+
 /// The parts of a body, and what weld() and unweld() keep of them.
 struct PartList {
     std::vector<Part> parts;
     std::vector<SetMass> setMasses; // in the order of their parts, which they do not share
     std::vector<FormerBody> former; // by part; empty: none is known
+
+    void visitState(StateStream& stream);
 };
 
 /// The parts of a valid definition: one for each primitive of its shape.

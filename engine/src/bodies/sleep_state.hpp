@@ -3,6 +3,8 @@
 
 #include <kodo/math.hpp>
 
+#include "base/state_stream.hpp"
+
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -25,6 +27,11 @@ struct SleepState {
         Real angularVelocity = 0;
     };
     std::array<Sample, 2> samples;
+
+    void visitState(StateStream& stream) { // the island follows from its list
+        auto& [count, ownIsland, pose, energy, ownSamples] = *this;
+        stream(count, pose, energy, ownSamples);
+    }
 };
 
 } // namespace KODO_PRECISION

@@ -36,10 +36,9 @@ public:
     bool search(const Bodies& bodies, const JointLists& joints, WorkerTeam& team);
     /// Result of the last search, in the order of PartBounds::isBefore().
     std::span<const BoundsPair> pairs() const { return pairs_; }
+    void visitState(StateStream& stream, const Bodies& bodies);
 
 private:
-    friend class SnapshotFields;
-
     void forgetOrder();
     template <typename Accept>
     void searchMovers(const Bodies& bodies, Accept accept, WorkerTeam& team);

@@ -4,6 +4,7 @@
 #include <kodo/body.hpp>
 #include <kodo/collision_record.hpp>
 
+#include "base/state_stream.hpp"
 #include "bodies/body_checks.hpp"
 #include "broad/broad_phase.hpp"
 #include "collide/manifold.hpp"
@@ -41,6 +42,8 @@ struct ContactRow {
     bool fixedA = false;             // body a was immovable when the colour was assigned
     bool fixedB = false;
     bool resident = false; // the state is in the lane, and the Contact is out of date
+
+    void visitState(StateStream& stream);
 };
 
 /// State of a contact whose manifold is kept across steps.
@@ -93,6 +96,7 @@ struct alignas(128) Contact {
         return row.resident && carried && responds() && !hasStepImpulses &&
                row.colour != ContactRow::kNoColour;
     }
+    void visitState(StateStream& stream);
 };
 
 /// Small copy of the state of a contact. From it alone, most stages decide to skip the contact.

@@ -33,18 +33,12 @@ void ContactSet::changed() {
     liveStale_ = true;
 }
 
-void ContactSet::sortContacts() {
-    if (store_.sort()) {
-        changed();
-    }
-}
-
 void ContactSet::updatePairs(Bodies& bodies, const JointLists& joints, const Tolerances& tolerances,
                              Real dt, WorkerTeam& team) {
     records_.begin();
     applyChanges(bodies, tolerances);
-    if (store_.countStep()) {
-        sortContacts();
+    if (store_.countStep() && store_.sort()) {
+        changed();
     }
     candidates_.bounds().coverPrediction(bodies, tolerances, dt, team);
     refreshPairs(bodies, joints, team);

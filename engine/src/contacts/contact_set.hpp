@@ -139,10 +139,9 @@ public:
     StepRecords::Source recordSource(WriteBack writeBack) const {
         return {store_, fastestApproach_, std::move(writeBack)};
     }
+    void visitState(StateStream& stream, const Bodies& bodies, const Tolerances& tolerances);
 
 private:
-    friend class SnapshotFields;
-
     void freeDetached();
     void takeIdle(std::uint32_t slot, const WriteBack& writeBack);
     void takeOut(Contact& contact, const WriteBack& writeBack);
@@ -150,7 +149,6 @@ private:
     void renew(const Bodies& bodies, const Tolerances& tolerances);
     void renewChanged(const Bodies& bodies, const Tolerances& tolerances);
     void refreshPairs(Bodies& bodies, const JointLists& joints, WorkerTeam& team);
-    void sortContacts();
     void changed();
     void noteKinds(const Bodies& bodies, WorkerTeam& team);
     void noteManifold(std::size_t slot);

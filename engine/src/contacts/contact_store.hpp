@@ -88,9 +88,9 @@ public:
     /// The keys of contacts have changed, but not their order. refreshPlaces() must follow.
     void partsChanged() { placesStale_ = true; }
     void refreshPlaces();
+    void visitState(StateStream& stream, const Bodies& bodies, const PartBounds& bounds);
 
 private:
-    friend class SnapshotFields;
     static constexpr std::size_t kContactsPerPiece = 128;
     /// Slot of a contact. PartBounds::isBefore() compares pairs of bounds as their contact keys.
     struct Place {

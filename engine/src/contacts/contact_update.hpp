@@ -11,6 +11,8 @@ inline namespace KODO_PRECISION {
 
 /// Sets the fields that follow from the key and the definitions of both bodies.
 void describeContact(Contact& contact, const Bodies& bodies);
+/// The same for a contact that was read. Throws BadSnapshot if its bodies or parts do not exist.
+void completeContact(Contact& contact, const Bodies& bodies);
 
 /// Begins a step for two parts near each other with the manifold of the last step; BodyVelocity
 /// still holds the displacements of that step. False if the manifold is outdated and must be found

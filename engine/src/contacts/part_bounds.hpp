@@ -90,9 +90,10 @@ public:
     void coverDisplacements(const Bodies& bodies, const Tolerances& tolerances, WorkerTeam& team);
     /// Empties the list of changed parts, after their pairs have been found.
     void clearChanged();
+    /// When writing, the indices must be in order, and none unused.
+    void visitState(StateStream& stream, const Bodies& bodies);
 
 private:
-    friend class SnapshotFields;
     static constexpr std::size_t kBodiesPerPiece = 128;
 
     /// Geometry from which the bounds of a part follow. A contiguous copy: the body geometry itself

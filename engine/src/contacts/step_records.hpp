@@ -47,10 +47,10 @@ public:
     void noteEnd(const Contact& contact);
     /// Slots of the contacts that began or ended in the last step.
     std::vector<std::uint32_t>& toggled() { return toggled_; }
+    /// When writing, all() must have been called.
+    void visitState(StateStream& stream);
 
 private:
-    friend class SnapshotFields;
-
     template <typename Find, typename Accept>
     void select(Find find, Accept accept, const Source& source, std::vector<CollisionRecord>& out);
     void writeEvents(const Source& source);

@@ -71,7 +71,6 @@ public:
     }
 
 private:
-    friend class SnapshotFields;
     static constexpr std::uint32_t kOneLess = ~std::uint32_t{}; // -1, added to unsigned counts
 
     std::vector<std::uint32_t> counts_; // by body

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -340,6 +341,42 @@ void JointSet::forgetUnsound() {
             joint.linearImpulseSum = {};
             joint.angularImpulseSum = 0;
         }
+    }
+}
+
+/// The sums of a step are left out: the next step resets them.
+void JointSet::Joint::visitState(StateStream& stream) {
+    static_assert(countMembers<Joint>() == 11, "list a new member, or leave it out");
+    stream(def, point, axes, force, torque);
+    const Real impulses = std::accumulate(axes.begin(), axes.end(), point.x + point.y);
+    require(!stream.reads() || std::isfinite(impulses + force.x + force.y + torque),
+            "an impulse of a joint is not finite");
+}
+
+void JointSet::visitState(StateStream& stream, const Bodies& bodies, Real lengthUnit) {
+    auto& [ids, stamp, joints, lists, pairChanges, broken, trees, treeCandidates, hinges, springs,
+           inertias, rotations, own, takenRevolutes, busy, busyStale, lastPass] = *this;
+    stream(ids);
+    if (stream.reads()) {
+        stamp = 0;
+        joints.resize(ids.capacity());
+    }
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+        if (!ids.aliveAt(i)) {
+            continue;
+        }
+        stream(joints[i]);
+        if (!stream.reads()) {
+            continue;
+        }
+        require(check(joints[i].def, lengthUnit));
+        for (const BodyId body : {firstBody(joints[i].def), secondBody(joints[i].def)}) {
+            require(bodies.ids.alive(body.index, body.generation),
+                    "a joint refers to a body that does not exist");
+        }
+    }
+    if (stream.reads()) {
+        refreshLists();
     }
 }
 

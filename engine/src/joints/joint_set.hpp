@@ -47,6 +47,7 @@ public:
         Real& impulseAt(std::size_t slot) {
             return slot == 0 ? point.x : slot == 1 ? point.y : axes[slot - 2];
         }
+        void visitState(StateStream& stream);
     };
 
     JointId add(const JointDef& def);
@@ -157,11 +158,10 @@ public:
             visit(joints_[index]);
         }
     }
+    void visitState(StateStream& stream, const Bodies& bodies, Real lengthUnit);
 
 private:
     enum class LastPass : std::uint8_t { WarmStart, Biased, Relax };
-
-    friend class SnapshotFields;
 
     /// A revolute joint of a tree without motor and limits.
     struct Hinge {

@@ -19,7 +19,7 @@ constexpr Real kNoise = Real(1) / 2048;
 constexpr Real kNoiseOnBase = Real(1) / 128;
 
 // A contact supports a body if its normal has a larger share than this against the acceleration.
-constexpr Real kSteep = Real(0.25);
+constexpr Real kSteepBase = Real(0.25);
 
 /// Calm steps between two samples of a velocity: a quarter of those until sleep.
 std::uint32_t sampleInterval(std::uint32_t enough) {
@@ -117,7 +117,7 @@ SleepSystem::Base SleepSystem::baseOf(std::uint32_t body, const Bodies& bodies,
         }
         const bool isA = contact.key.bodyA == body;
         const Vec2 push = isA ? -contact.manifold.normal : contact.manifold.normal;
-        if (!(dot(push, pull) < -kSteep * length(pull))) {
+        if (!(dot(push, pull) < -kSteepBase * length(pull))) {
             return; // a load, or a wall
         }
         for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {

@@ -2,6 +2,7 @@
 #include "sleep/sleep_system.hpp"
 
 #include "collide/time_of_impact.hpp"
+#include "contacts/contact_update.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -322,6 +323,44 @@ void SleepSystem::keepContacts(const Bodies& bodies, std::span<const Contact> id
         const std::uint32_t island = a != kNoIsland ? a : bodies.sleep[contact.key.bodyB].island;
         keep(islands_[island].contacts, contact);
         noteIslandContact(bodies, contact, island);
+    }
+}
+
+void SleepSystem::Island::visitState(StateStream& stream) {
+    static_assert(countMembers<Island>() == 3, "list a new member, or leave it out");
+    stream(bodies, contacts);
+}
+
+void SleepSystem::visitState(StateStream& stream, Bodies& bodies) {
+    auto& [islands, sleepingIslands, freeIslands, neighboursOf, neighbourIslands, calm, reached,
+           reachedBy, leastCalm, bases, sleepers, members, woken, returning] = *this;
+    stream(islands);
+    if (!stream.reads()) {
+        return;
+    }
+    const char* const sentence =
+        "the snapshot is corrupt: a sleeping body is missing from its island";
+    for (std::uint32_t island = 0; island < islands.size(); ++island) {
+        require(areInOrder(islands[island].bodies, bodies.size()), sentence);
+        for (const std::uint32_t body : islands[island].bodies) {
+            require(bodies.ids.aliveAt(body) && bodies.asleep(body) &&
+                        bodies.sleep[body].island == SleepState::kNoIsland,
+                    sentence);
+            bodies.sleep[body].island = island;
+        }
+        for (Contact& contact : islands[island].contacts) {
+            completeContact(contact, bodies);
+            contact.row = {}; // only contacts of the list have a row
+            noteIslandContact(bodies, contact, island);
+        }
+        require(!islands[island].bodies.empty() || islands[island].contacts.empty(), sentence);
+        sleepingIslands += islands[island].bodies.empty() ? 0 : 1;
+        if (islands[island].bodies.empty()) {
+            freeIslands.push_back(island); // ascending: a heap
+        }
+    }
+    for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+        require(!bodies.asleep(i) || bodies.sleep[i].island != SleepState::kNoIsland, sentence);
     }
 }
 

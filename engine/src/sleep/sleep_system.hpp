@@ -73,14 +73,15 @@ public:
             }
         }
     }
+    void visitState(StateStream& stream, Bodies& bodies);
 
 private:
-    friend class SnapshotFields;
-
     struct Island {
         std::vector<std::uint32_t> bodies; // empty: a free slot
         std::vector<Contact> contacts;
         std::uint32_t version = 0; // changes whenever it wakes
+
+        void visitState(StateStream& stream);
     };
     /// An island that has a contact with a body of another island, or with an immovable one. Out of
     /// date once the island has woken.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "world/parked_contacts.hpp"
 
+#include "contacts/contact_update.hpp"
+
 #include <algorithm>
 
 namespace kodo {
@@ -50,6 +52,19 @@ void ParkedContacts::listAll() {
     lists_.begin(contacts_.size());
     for (std::uint32_t slot = 0; slot < contacts_.size(); ++slot) {
         lists_.add(slot, contacts_[slot].key.bodyA, contacts_[slot].key.bodyB);
+    }
+}
+
+void ParkedContacts::visitState(StateStream& stream, const Bodies& bodies) {
+    auto& [contacts, gaps, lists, slots, visits] = *this;
+    closeGaps();
+    stream(contacts);
+    if (stream.reads()) {
+        for (Contact& contact : contacts) {
+            completeContact(contact, bodies);
+            contact.row = {};
+        }
+        listAll();
     }
 }
 

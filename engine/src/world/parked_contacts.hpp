@@ -49,10 +49,9 @@ public:
     }
     /// Contacts visited by take(), of all calls so far.
     std::uint64_t visits() const { return visits_; }
+    void visitState(StateStream& stream, const Bodies& bodies);
 
 private:
-    friend class SnapshotFields;
-
     /// No contact is of one body alone.
     static bool isGap(const Contact& contact) { return contact.key.bodyA == contact.key.bodyB; }
     template <typename Which>

@@ -202,5 +202,13 @@ void Region::restoreOutside(Bodies& bodies) {
     outsideVelocities_.clear();
 }
 
+void Region::visitState(StateStream& stream, const Bodies& bodies) {
+    auto& [box, outsideVelocities, parked, unparked, scans] = *this;
+    stream(box);
+    require(!box || (box->lower.x <= box->upper.x && box->lower.y <= box->upper.y),
+            "the region has its corners swapped");
+    parked.visitState(stream, bodies);
+}
+
 } // namespace KODO_PRECISION
 } // namespace kodo

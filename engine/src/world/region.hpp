@@ -68,10 +68,9 @@ public:
         }
     }
     void restoreOutside(Bodies& bodies);
+    void visitState(StateStream& stream, const Bodies& bodies);
 
 private:
-    friend class SnapshotFields;
-
     void setAside(std::span<const Contact> idle, std::span<const std::uint32_t> of, Bodies& bodies,
                   ContactSet& contacts);
     void putBack(Bodies& bodies, ContactSet& contacts);

@@ -87,5 +87,23 @@ std::optional<Problem> check(const StepSettings& settings) {
     return checks.first();
 }
 
+void visitState(StateStream& stream, StepSettings& settings) {
+    auto& [solver, sleepSteps, leaveOut] = settings;
+    stream(solver, sleepSteps, leaveOut.bits);
+    require(check(settings));
+}
+
+/// All tolerances follow from the length unit. It follows exactly from any of them, since their
+/// ratios are powers of two.
+void visitState(StateStream& stream, Tolerances& tolerances) {
+    auto& [slop, margin, grown] = tolerances;
+    Real unit = slop * Tolerances::kSlopsPerUnit;
+    stream(unit);
+    require(check(WorldDef{{}, unit, {}}));
+    if (stream.reads()) {
+        tolerances = Tolerances::forUnit(unit);
+    }
+}
+
 } // namespace KODO_PRECISION
 } // namespace kodo

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/snapshot.hpp>
 
-#include "world/snapshot_fields.hpp"
+#include "world/world_impl.hpp"
 
 #include <string>
 
@@ -10,7 +10,7 @@ inline namespace KODO_PRECISION {
 namespace {
 
 constexpr std::uint32_t kMagic = 0x6f646f4b; // "Kodo"
-constexpr std::uint32_t kFormat = 12;        // increases with every change of the field lists
+constexpr std::uint32_t kFormat = 13;        // increases with every change of visitState()
 constexpr std::size_t kChecksumSize = sizeof(std::uint64_t);
 
 void refuseUnless(bool good, const std::string& sentence) {
@@ -20,17 +20,17 @@ void refuseUnless(bool good, const std::string& sentence) {
 }
 
 /// Identifies a snapshot, its format and its precision.
-void header(ByteStream& stream) {
+void header(StateStream& stream) {
     std::uint32_t magic = kMagic;
     std::uint32_t format = kFormat;
     std::uint8_t precision = sizeof(Real);
-    stream.number(magic);
+    stream(magic);
     refuseUnless(magic == kMagic, "these bytes are no snapshot of a Kodo World");
-    stream.number(format);
+    stream(format);
     refuseUnless(format == kFormat, "the snapshot has format " + std::to_string(format) +
                                         ", but this version of Kodo reads format " +
                                         std::to_string(kFormat));
-    stream.number(precision);
+    stream(precision);
     refuseUnless(precision == sizeof(Real),
                  "the snapshot has numbers of " + std::to_string(precision) +
                      " bytes, but this Kodo computes with " + std::to_string(sizeof(Real)));
@@ -38,16 +38,47 @@ void header(ByteStream& stream) {
 
 } // namespace
 
+void WorldImpl::visitState(StateStream& stream, OwnFields ownFields) {
+    auto& [guard, settings, tolerances, stepCount, count, roomFor, bodies, flagBlocks, fields,
+           contacts, impacts, softSolver, propagation, contactVisits, changeVisits, continuous,
+           sleep, joints, broken, frozen, region, queries, lastGeometry] = *this;
+    // Left out is what the next step computes before use: solvers, continuous collision, caches.
+    if (!stream.reads()) {
+        softSolver.blocks().writeBackAll(contacts.contacts(), bodies);
+    }
+    kodo::visitState(stream, settings);
+    kodo::visitState(stream, tolerances);
+    bodies.turns = settings.has(Feature::Rotation);
+    kodo::visitState(stream, bodies, lastGeometry);
+    stream.list(fields, [&](FieldEntry& entry) {
+        kodo::visitState(stream, entry, ownFields);
+        require(entry.field == nullptr ? std::nullopt
+                                       : checkField(*entry.field, tolerances.unit()));
+    });
+    require(ownFields.empty(), "more user-defined force fields were given than the snapshot needs");
+    joints.visitState(stream, bodies, tolerances.unit());
+    contacts.visitState(stream, bodies, tolerances);
+    sleep.visitState(stream, bodies);
+    stream.as<std::uint64_t>(contactVisits);
+    stream(stepCount, broken, frozen);
+    region.visitState(stream, bodies);
+    count = 0;
+    for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+        count += bodies.ids.aliveAt(i) ? 1 : 0;
+        flagBlocks.note(i, bodies.filter[i].flags);
+    }
+}
+
 std::vector<std::byte> toBytes(const World& world) {
-    ByteStream stream;
+    StateStream stream;
     header(stream);
     world.impl().guard().requireWhole("toBytes");
-    WorldImpl copy = world.impl(); // the field lists need mutable references
-    SnapshotFields(stream, {}).world(copy);
+    WorldImpl copy = world.impl(); // brought into an order that the bytes do not depend on
+    copy.visitState(stream, {});
     std::vector<std::byte> bytes = stream.takeWritten();
     std::uint64_t checksum = checksumOf(bytes);
-    ByteStream end;
-    end.number(checksum);
+    StateStream end;
+    end(checksum);
     const std::vector<std::byte> tail = end.takeWritten();
     bytes.insert(bytes.end(), tail.begin(), tail.end());
     return bytes;
@@ -56,15 +87,15 @@ std::vector<std::byte> toBytes(const World& world) {
 World fromBytes(std::span<const std::byte> bytes,
                 std::span<const std::shared_ptr<const ForceField>> ownFields) {
     const std::size_t size = bytes.size() - std::min(bytes.size(), kChecksumSize);
-    ByteStream stream(bytes.first(size));
+    StateStream stream(bytes.first(size));
     header(stream);
-    ByteStream end(bytes.subspan(size));
+    StateStream end(bytes.subspan(size));
     std::uint64_t checksum = 0;
-    end.number(checksum);
+    end(checksum);
     refuseUnless(checksum == checksumOf(bytes.first(size)),
                  "the snapshot is damaged: its checksum is wrong");
     World world;
-    SnapshotFields(stream, ownFields).world(world.impl());
+    world.impl().visitState(stream, ownFields);
     refuseUnless(stream.left() == 0, "something follows the end of the snapshot");
     return world;
 }

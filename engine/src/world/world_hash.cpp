@@ -2,7 +2,6 @@
 #include <kodo/state_hash.hpp>
 
 #include "bodies/body_checks.hpp"
-#include "world/snapshot_fields.hpp"
 #include "world/world_impl.hpp"
 
 #include <algorithm>
@@ -12,9 +11,41 @@ inline namespace KODO_PRECISION {
 
 namespace {
 
-void addBytes(StateHash& hash, const std::vector<std::byte>& bytes) {
-    for (const std::byte byte : bytes) {
-        hash.add(static_cast<std::uint8_t>(byte));
+/// Adds what decides the future beside the motion: settings, fields, geometry, materials, user
+/// data and the numbers of joints. Of a user's own fields only that they exist.
+void addDefinitions(StateHash& hash, const WorldImpl& world) {
+    StateStream stream;
+    StepSettings settings = world.settings();
+    visitState(stream, settings);
+    Tolerances tolerances = world.tolerances();
+    visitState(stream, tolerances);
+    stream.write(world.region());
+    OwnFields none;
+    for (FieldEntry entry : world.fields()) {
+        visitState(stream, entry, none);
+    }
+    const Bodies& bodies = world.bodyData();
+    for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+        if (!bodies.ids.aliveAt(i)) {
+            continue;
+        }
+        stream.write(bodies.record[i].userData);
+        const PartList& list = bodies.geometry(i);
+        for (Part part : list.parts) {
+            visitState(stream, part);
+        }
+        for (const SetMass& set : list.setMasses) { // nothing is added if none was set
+            stream.write(set);
+        }
+        for (const FormerBody& former : list.former) { // likewise
+            if (former.filter.flags != 0 || former.filter.required != 0 || former.userData != 0) {
+                stream.write(former);
+            }
+        }
+    }
+    world.jointData().forEach([&](const JointSet::Joint& joint) { stream.write(joint.def); });
+    for (const std::byte byte : stream.takeWritten()) {
+        hash.add(std::to_integer<std::uint8_t>(byte));
     }
 }
 
@@ -75,9 +106,7 @@ std::uint64_t WorldImpl::stateHash() const {
             hash.add(impulse);
         }
     });
-    ByteStream stream;
-    SnapshotFields(stream, {}).definitions(*this);
-    addBytes(hash, stream.takeWritten());
+    addDefinitions(hash, *this);
     return hash.value();
 }
 

@@ -354,7 +354,7 @@ void WorldImpl::setSettings(const StepSettings& settings) {
     if ((changed & kSleepFeatures.bits) != 0) {
         sleep_.wakeAll(bodies_, contacts_);
     }
-    writeBackContacts();
+    softSolver_.blocks().writeBackAll(contacts_.contacts(), bodies_);
     settings_ = settings;
     roomFor_ = 0; // other stages may run
     if (!settings.has(Feature::Friction)) {

@@ -4,6 +4,7 @@
 #include <kodo/step_stats.hpp>
 #include <kodo/world.hpp>
 
+#include "bodies/field_checks.hpp"
 #include "bodies/flag_blocks.hpp"
 #include "contacts/contact_set.hpp"
 #include "world/change_guard.hpp"
@@ -22,6 +23,9 @@
 
 namespace kodo {
 inline namespace KODO_PRECISION {
+
+void visitState(StateStream& stream, StepSettings& settings);
+void visitState(StateStream& stream, Tolerances& tolerances);
 
 /// The implementation of World. Functions of the same names are documented there.
 class WorldImpl {
@@ -78,6 +82,8 @@ public:
     }
 
     std::uint64_t stateHash() const;
+    /// When reading, the World must be new.
+    void visitState(StateStream& stream, OwnFields ownFields);
 
     // For queries.
     const ChangeGuard& guard() const { return guard_; }
@@ -85,7 +91,6 @@ public:
 
 private:
     friend class BodyRef;
-    friend class SnapshotFields;
     friend class WorldStep;
 
     void jointsChanged(const JointDef& def);
@@ -93,7 +98,6 @@ private:
     WriteBack writeBack() const {
         return [this](Contact& contact) { softSolver_.blocks().writeBack(contact, bodies_); };
     }
-    void writeBackContacts() { softSolver_.blocks().writeBackAll(contacts_.contacts(), bodies_); }
     void wake(std::uint32_t body);
     void wakeNeighbours(std::uint32_t body);
     void bodyChanged(std::uint32_t body);

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "base/byte_stream.hpp"
+#include "base/state_stream.hpp"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
+#include <optional>
+#include <variant>
 
 namespace kodo {
 namespace {
@@ -20,8 +23,8 @@ std::vector<std::byte> bytesOf(std::initializer_list<int> values) {
 
 template <typename... Numbers>
 std::vector<std::byte> written(Numbers... numbers) {
-    ByteStream stream;
-    (stream.number(numbers), ...);
+    StateStream stream;
+    (stream(numbers), ...);
     return stream.takeWritten();
 }
 
@@ -29,14 +32,14 @@ template <typename Number>
 Number readBack(Number number) {
     const std::vector<std::byte> bytes = written(number);
     EXPECT_EQ(bytes.size(), sizeof(Number));
-    ByteStream stream(bytes);
+    StateStream stream(bytes);
     Number result{};
-    stream.number(result);
+    stream(result);
     EXPECT_EQ(stream.left(), 0u);
     return result;
 }
 
-TEST(ByteStream, WritesTheLowByteFirst) {
+TEST(StateStream, WritesTheLowByteFirst) {
     EXPECT_EQ(written(std::uint32_t{0x04030201}), bytesOf({1, 2, 3, 4}));
     EXPECT_EQ(written(std::uint16_t{0x0201}, true, std::uint8_t{7}), bytesOf({1, 2, 1, 7}));
     EXPECT_EQ(written(-2), bytesOf({0xfe, 0xff, 0xff, 0xff}));
@@ -44,7 +47,7 @@ TEST(ByteStream, WritesTheLowByteFirst) {
     EXPECT_EQ(written(-2.0), bytesOf({0, 0, 0, 0, 0, 0, 0, 0xc0}));
 }
 
-TEST(ByteStream, ReadsWrittenNumbersBack) {
+TEST(StateStream, ReadsWrittenNumbersBack) {
     for (const std::int32_t value : {0, 1, -1, std::numeric_limits<std::int32_t>::min(),
                                      std::numeric_limits<std::int32_t>::max()}) {
         EXPECT_EQ(readBack(value), value);
@@ -58,35 +61,93 @@ TEST(ByteStream, ReadsWrittenNumbersBack) {
     EXPECT_FALSE(readBack(false));
 }
 
-TEST(ByteStream, KeepsTheSignOfZeroAndTheBitsOfANan) {
+TEST(StateStream, KeepsTheSignOfZeroAndTheBitsOfANan) {
     EXPECT_TRUE(std::signbit(readBack(-0.0f)));
     EXPECT_FALSE(std::signbit(readBack(0.0)));
     const std::vector<std::byte> strange = bytesOf({1, 2, 0xc3, 0x7f}); // a NaN with a payload
-    ByteStream stream(strange);
+    StateStream stream(strange);
     float nan = 0;
-    stream.number(nan);
+    stream(nan);
     EXPECT_TRUE(std::isnan(nan));
     EXPECT_EQ(written(nan), strange);
 }
 
-TEST(ByteStream, RefusesToReadBeyondTheEnd) {
+TEST(StateStream, RefusesToReadBeyondTheEnd) {
     const std::vector<std::byte> bytes = bytesOf({1, 2, 3});
-    ByteStream stream(bytes);
+    StateStream stream(bytes);
     std::uint32_t number = 9;
-    EXPECT_THROW(stream.number(number), BadSnapshot);
+    EXPECT_THROW(stream(number), BadSnapshot);
     EXPECT_EQ(number, 9u);
     EXPECT_EQ(stream.left(), 3u);
     std::uint16_t half = 0;
-    stream.number(half);
+    stream(half);
     EXPECT_EQ(half, 0x0201);
-    EXPECT_THROW(stream.number(half), BadSnapshot);
+    EXPECT_THROW(stream(half), BadSnapshot);
 }
 
-TEST(ByteStream, RefusesABoolOtherThanZeroOrOne) {
+TEST(StateStream, RefusesABoolOtherThanZeroOrOne) {
     const std::vector<std::byte> bytes = bytesOf({2});
-    ByteStream stream(bytes);
+    StateStream stream(bytes);
     bool value = false;
-    EXPECT_THROW(stream.number(value), BadSnapshot);
+    EXPECT_THROW(stream(value), BadSnapshot);
+}
+
+struct Inner {
+    std::uint8_t small = 0;
+    std::vector<std::uint16_t> list;
+};
+struct Id {
+    std::uint32_t index = 0;
+    std::uint32_t generation = 0;
+    std::uint32_t world = 0;
+};
+struct Outer {
+    Inner inner;
+    std::optional<bool> maybe;
+    std::array<std::uint8_t, 2> pair{};
+    std::variant<std::uint8_t, Inner> kind;
+    Id id;
+};
+static_assert(countMembers<Inner>() == 2 && countMembers<Outer>() == 5);
+
+/// An aggregate that leaves a member out.
+struct Partly {
+    std::uint8_t stored = 0;
+    std::uint8_t scratch = 0;
+    void visitState(StateStream& stream) { stream(stored); }
+};
+
+TEST(StateStream, WritesAllMembersOfAnAggregateInOrder) {
+    const Outer outer{{1, {2, 3}}, true, {4, 5}, Inner{6, {}}, {7, 8, 9}};
+    StateStream stream;
+    stream.write(outer);
+    const std::vector<std::byte> bytes = stream.takeWritten();
+    EXPECT_EQ(bytes, bytesOf({1, 2, 0, 0, 0, 2, 0, 3, 0, 1, 1, 4, 5, 1,
+                              6, 0, 0, 0, 0, 7, 0, 0, 0, 8, 0, 0, 0}));
+    StateStream again(bytes);
+    Outer read;
+    again(read);
+    EXPECT_EQ(again.left(), 0u);
+    StateStream copy;
+    copy.write(read);
+    EXPECT_EQ(copy.takeWritten(), bytes);
+    EXPECT_EQ(read.id.world, 0u); // the World of an id is not stored
+}
+
+TEST(StateStream, LeavesOutWhatVisitStateDoes) {
+    EXPECT_EQ(written(Partly{1, 2}), bytesOf({1}));
+    EXPECT_EQ(written(std::vector<Partly>{{1, 2}, {3, 4}}), bytesOf({2, 0, 0, 0, 1, 3}));
+}
+
+TEST(StateStream, RefusesAKindOrLengthThatIsNotThere) {
+    const std::vector<std::byte> kind = bytesOf({2, 0, 0, 0, 0, 0});
+    std::variant<std::uint8_t, Inner> value;
+    StateStream stream(kind);
+    EXPECT_THROW(stream(value), BadSnapshot);
+    const std::vector<std::byte> length = bytesOf({3, 0, 0, 0, 1, 2});
+    std::vector<std::uint8_t> list;
+    StateStream other(length);
+    EXPECT_THROW(other(list), BadSnapshot);
 }
 
 // A published test vector of FNV-1a. Every change of a single byte changes the checksum.
