@@ -3,7 +3,8 @@
 """Checks sizes against the limits: header 250 lines (public ones 300), source 400, test 500;
 function 60 lines (80 outside engine/ and game/apart/core); line 100 columns; 6 parameters; class
 of engine/ and game/ 25 data members and 50 functions (not counted: friends, constants, types, and
-what is defaulted or deleted).
+what is defaulted or deleted). Prints the lines of code of engine/src and engine/include, without
+blank lines and comments: at most MAX_ENGINE_LINES, and 15 % of them in one folder of engine/src.
 
 Run it from any folder: tools/check_sizes.py. It reads engine/, game/, tests/ and tools/.
 Functions are found by brace depth in formatted code, without a compiler."""
@@ -16,6 +17,8 @@ MAX_COLUMNS = 100
 MAX_PARAMETERS = 6
 MAX_DATA_MEMBERS = 25
 MAX_MEMBER_FUNCTIONS = 50
+MAX_ENGINE_LINES = 25_300  # of code; lowered when the engine has become smaller, never raised
+MAX_FOLDER_SHARE = 0.15  # of these lines
 
 TOKEN = re.compile(
     r"""(?P<comment>//(?:\\\n|[^\n])*|/\*.*?\*/)
@@ -294,5 +297,33 @@ def run(what, check, description):
     return bool(bad)
 
 
+def code_lines(path):
+    """The number of lines that are neither blank nor comment."""
+    text = path.read_text(encoding="utf-8")
+    text = re.sub(r"/\*.*?\*/", lambda c: "\n" * c[0].count("\n"), text, flags=re.DOTALL)
+    return sum(bool(re.sub(r"//.*", "", line).strip()) for line in text.splitlines())
+
+
+def check_engine():
+    """Prints the lines of code of the engine; true if they or those of a folder are too many."""
+    folders, total = {}, 0
+    for path, name in cpp_files():
+        if name.parts[:2] in (("engine", "src"), ("engine", "include")):
+            lines = code_lines(path)
+            total += lines
+            if name.parts[1] == "src" and len(name.parts) > 3:
+                folders[name.parts[2]] = folders.get(name.parts[2], 0) + lines
+    by_size = sorted(folders.items(), key=lambda item: -item[1])
+    shares = ", ".join(f"{folder} {lines / total:.1%}" for folder, lines in by_size)
+    print(f"lines of code of the engine: {total}; at most {MAX_ENGINE_LINES}: {shares}")
+    large = [folder for folder, lines in by_size if lines > MAX_FOLDER_SHARE * total]
+    for folder in large:
+        print(f"engine/src/{folder}: has more than {MAX_FOLDER_SHARE:.0%} of the lines of code")
+    if total > MAX_ENGINE_LINES:
+        print(f"engine: has {total - MAX_ENGINE_LINES} lines of code too many")
+    return bool(large) or total > MAX_ENGINE_LINES
+
+
 if __name__ == "__main__":
-    sys.exit(run("sizes", check_file, __doc__))
+    results = [run("sizes", check_file, __doc__), check_engine()]
+    sys.exit(any(results))
