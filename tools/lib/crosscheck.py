@@ -21,7 +21,7 @@ STYLES = (
     ("propagation, double", "#116329", "1.5 4", 1.6, 1),
     ("Box2D 2.4.1", BOX2D, "7 5", 1.6, 1),
 )
-PICTURE = (  # scenes of the picture in README.md
+PICTURE = (  # scenes of the picture in .github/CONTRIBUTING.md
     "SpinningBarThrowsABall",
     "BallBouncesAtRestitution08",
     "BoxOnItsCornerTipsOverAndLiesFlat",
