@@ -31,12 +31,21 @@ LAYER_OF = {name: layer for layer, names in PUBLIC.items() for name in names.spl
 MAY_USE = {f"engine/src/{name}": ENGINE[:i] for i, name in enumerate(ENGINE)}
 MAY_USE["engine/src/broad"] = ["base", "math"]  # works on bounds, not on shapes
 MAY_USE["engine/include/kodo"] = ["public"]
-MAY_USE["engine/sfml/kodo_sfml"] = ["public"]
-MAY_USE["engine/examples"] = ["public", "kodo_sfml"]
+MAY_USE["engine/sfml/kodo_draw"] = ["public"]
+MAY_USE["engine/sfml/kodo_sfml"] = ["public", "kodo_draw"]
+MAY_USE["engine/examples"] = ["public", "kodo_draw", "kodo_sfml"]
 MAY_USE["game/apart/core"] = ["public"]
 MAY_USE["game/apart/stage"] = ["public", "apart/core"]
 MAY_USE["game/apart/headless"] = ["public", "apart/core"]
-MAY_USE["game/apart/sfml"] = ["public", "kodo_sfml", "apart/core", "apart/stage"]
+MAY_USE["game/apart/canvas"] = ["public", "kodo_draw", "apart/core", "apart/stage"]
+MAY_USE["game/apart/sfml"] = [
+    "public",
+    "kodo_draw",
+    "kodo_sfml",
+    "apart/core",
+    "apart/stage",
+    "apart/canvas",
+]
 
 # Third-party library: the only folders that may include it.
 DOORS = {

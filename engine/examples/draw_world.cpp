@@ -34,20 +34,20 @@ int main(int argc, char** argv) {
     kodo_sfml::Painter painter;
     long shown = 0;
     for (; window.isOpen() && shown != frames; ++shown) {
-        const kodo_sfml::Camera camera({{-9, -1.5f}, {9, 10.5f}}, window.size());
+        const kodo_draw::Camera camera({{-9, -1.5f}, {9, 10.5f}}, window.size());
         while (const auto event = window.nextEvent()) {
             if (event->type == sf::Event::Closed) {
                 window.close();
             } else if (event->type == sf::Event::MouseButtonPressed) {
-                const sf::Vector2i pixel(event->mouseButton.x, event->mouseButton.y);
-                world.add({.shape = kodo::Box{0.9f, 0.9f},
-                           .position = camera.toWorld(sf::Vector2f(pixel))});
+                const kodo_draw::Pixel pixel{static_cast<float>(event->mouseButton.x),
+                                             static_cast<float>(event->mouseButton.y)};
+                world.add({.shape = kodo::Box{0.9f, 0.9f}, .position = camera.toWorld(pixel)});
             }
         }
         world.step(1.0f / 60);
         painter.clear();
         kodo_sfml::paintWorld(painter, camera, world, {.contacts = true});
-        window.show(painter, sf::Color(24, 28, 36));
+        window.show(painter, {24, 28, 36});
     }
     std::printf("%ld frames, %zu bodies\n", shown, world.bodyCount());
 }

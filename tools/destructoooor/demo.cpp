@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kMostSteps = 4;      // per frame; beyond that, the simulation runs slower
 constexpr unsigned kHelpText = 14; // pixels
-const sf::Color kHelpColor(140, 148, 160);
+const kodo_sfml::Rgba kHelpColor{140, 148, 160};
 
 constexpr std::array<const char*, 2> kHelp = {
     "1-4 scene   R restart   click: drop, Tab: shape, wheel: size   right click: explosion   "
@@ -113,7 +113,7 @@ void Demo::press(sf::Keyboard::Key key) {
 }
 
 void Demo::click(const sf::Event::MouseButtonEvent& button) {
-    const sf::Vector2f pixel{static_cast<float>(button.x), static_cast<float>(button.y)};
+    const kodo_sfml::Pixel pixel{static_cast<float>(button.x), static_cast<float>(button.y)};
     if (button.button == sf::Mouse::Left && panel_.press(pixel, sandbox_)) {
         return;
     }
@@ -143,7 +143,7 @@ void Demo::advance(double seconds) {
     }
 }
 
-void Demo::draw(kodo_sfml::Painter& painter, sf::Vector2u pixels) {
+void Demo::draw(kodo_sfml::Painter& painter, kodo_sfml::Size pixels) {
     pixels_ = pixels;
     painter.clear();
     kodo_sfml::paintWorld(painter, camera(), sandbox_.world(), look_);

@@ -21,7 +21,7 @@ public:
     void take(const sf::Event& event);
     /// Runs the steps of this time (s), but only a few per call.
     void advance(double seconds);
-    void draw(kodo_sfml::Painter& painter, sf::Vector2u pixels);
+    void draw(kodo_sfml::Painter& painter, kodo_sfml::Size pixels);
 
 private:
     void press(sf::Keyboard::Key key);
@@ -35,7 +35,7 @@ private:
     kodo_sfml::WorldLook look_;
     Primitive primitive_ = Primitive::Box;
     kodo::Real size_ = 1; // m
-    sf::Vector2u pixels_{1280, 800};
+    kodo_sfml::Size pixels_{1280, 800};
     double owed_ = 0;             // s, not simulated yet
     double stepMilliseconds_ = 0; // moving average
     bool paused_ = false;

@@ -17,8 +17,8 @@ namespace {
 constexpr int kDone = 0;
 constexpr int kRefused = 2;
 constexpr int kNoDisplay = 3;
-const sf::Color kBackground(30, 33, 40);
-const sf::Vector2u kPixels{1280, 800};
+const kodo_sfml::Rgba kBackground{30, 33, 40};
+const kodo_sfml::Size kPixels{1280, 800};
 
 struct Options {
     int scene = 2;

@@ -15,14 +15,14 @@ constexpr float kTrack = 6;    // height of the track of a slider
 constexpr float kGrip = 7;     // radius of the handle
 constexpr unsigned kText = 14; // height of text
 
-const sf::Color kBack(22, 25, 32, 235);
-const sf::Color kLine(70, 78, 92);
-const sf::Color kFilled(86, 156, 214);
-const sf::Color kQuiet(170, 178, 190);
-const sf::Color kBright(255, 255, 255);
+const kodo_sfml::Rgba kBack{22, 25, 32, 235};
+const kodo_sfml::Rgba kLine{70, 78, 92};
+const kodo_sfml::Rgba kFilled{86, 156, 214};
+const kodo_sfml::Rgba kQuiet{170, 178, 190};
+const kodo_sfml::Rgba kBright{255, 255, 255};
 
-void fill(kodo_sfml::Painter& painter, sf::FloatRect where, sf::Color color) {
-    const std::array<sf::Color, 4> colors = {color, color, color, color};
+void fill(kodo_sfml::Painter& painter, kodo_sfml::Rect where, kodo_sfml::Rgba color) {
+    const std::array<kodo_sfml::Rgba, 4> colors = {color, color, color, color};
     painter.rectangle(where, colors);
 }
 
@@ -30,24 +30,24 @@ void fill(kodo_sfml::Painter& painter, sf::FloatRect where, sf::Color color) {
 
 Panel::Panel() : knobs_(makeKnobs()) {}
 
-sf::FloatRect Panel::track(std::size_t knob) const {
+kodo_sfml::Rect Panel::track(std::size_t knob) const {
     const float y = kTop + kPitch * static_cast<float>(knob) + 21;
     return {left() + kMargin, y, kWidth - 2 * kMargin, kTrack};
 }
 
 void Panel::setFrom(float x, Sandbox& sandbox) {
     const Knob& knob = knobs_[*held_];
-    const sf::FloatRect line = track(*held_);
+    const kodo_sfml::Rect line = track(*held_);
     const double share = static_cast<double>((x - line.left) / line.width);
     knob.set(sandbox, snapped(knob, knob.low + share * (knob.high - knob.low)));
 }
 
-bool Panel::press(sf::Vector2f pixel, Sandbox& sandbox) {
+bool Panel::press(kodo_sfml::Pixel pixel, Sandbox& sandbox) {
     if (pixel.x < left()) {
         return false;
     }
     for (std::size_t i = 0; i < knobs_.size(); ++i) {
-        const sf::FloatRect line = track(i);
+        const kodo_sfml::Rect line = track(i);
         if (pixel.y >= line.top - 20 && pixel.y < line.top - 20 + kPitch) {
             chosen_ = i;
             held_ = i;
@@ -57,7 +57,7 @@ bool Panel::press(sf::Vector2f pixel, Sandbox& sandbox) {
     return true;
 }
 
-void Panel::drag(sf::Vector2f pixel, Sandbox& sandbox) {
+void Panel::drag(kodo_sfml::Pixel pixel, Sandbox& sandbox) {
     if (held_) {
         setFrom(pixel.x, sandbox);
     }
@@ -78,8 +78,8 @@ void Panel::draw(kodo_sfml::Painter& painter, const sf::Font& font, const Sandbo
     fill(painter, {left(), 0, kWidth, static_cast<float>(pixels_.y)}, kBack);
     for (std::size_t i = 0; i < knobs_.size(); ++i) {
         const Knob& knob = knobs_[i];
-        const sf::FloatRect line = track(i);
-        const sf::Color color = i == chosen_ ? kBright : kQuiet;
+        const kodo_sfml::Rect line = track(i);
+        const kodo_sfml::Rgba color = i == chosen_ ? kBright : kQuiet;
         const std::string value = valueText(knob, sandbox);
         painter.text(font, knob.label, kText, {line.left, line.top - 7}, color);
         const float width = kodo_sfml::textWidth(font, value, kText);

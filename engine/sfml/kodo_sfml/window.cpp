@@ -18,8 +18,7 @@ constexpr unsigned kFrameOfWindow = 80; // pixels, estimate for title bar and pa
 
 } // namespace
 
-Window::Window(const std::string& title, sf::Vector2u wantedPixels)
-    : title_(title), wanted_(wantedPixels) {
+Window::Window(const std::string& title, Size wantedPixels) : title_(title), wanted_(wantedPixels) {
     multisampled_ = !softwareRendering();
     open(false);
 }
@@ -39,7 +38,7 @@ void Window::open(bool fullScreen) {
     const auto fit = [](unsigned wanted, unsigned room) {
         return room > 2 * kFrameOfWindow ? std::min(wanted, room - kFrameOfWindow) : wanted;
     };
-    const sf::Vector2u size{fit(wanted_.x, screen.width), fit(wanted_.y, screen.height)};
+    const Size size{fit(wanted_.x, screen.width), fit(wanted_.y, screen.height)};
     if (fullScreen) {
         window_.create(screen, title_, sf::Style::Fullscreen, context());
     } else {
@@ -73,19 +72,18 @@ std::optional<sf::Event> Window::nextEvent() {
     return event;
 }
 
-void Window::show(const Painter& picture, sf::Color background) {
-    window_.clear(background);
+void Window::show(const Painter& picture, Rgba background) {
+    window_.clear({background.r, background.g, background.b, background.a});
     picture.draw(window_);
     window_.display();
 }
 
-bool savePicture(const Painter& picture, sf::Vector2u pixels, sf::Color background,
-                 const std::string& path) {
+bool savePicture(const Painter& picture, Size pixels, Rgba background, const std::string& path) {
     sf::RenderTexture target;
     if (!target.create(pixels.x, pixels.y)) {
         return false;
     }
-    target.clear(background);
+    target.clear({background.r, background.g, background.b, background.a});
     picture.draw(target);
     target.display();
     return target.getTexture().copyToImage().saveToFile(path);

@@ -17,20 +17,20 @@ namespace kodo_sfml {
 class Window {
 public:
     /// Opens a centred window, no larger than the screen.
-    Window(const std::string& title, sf::Vector2u wantedPixels);
+    Window(const std::string& title, Size wantedPixels);
 
     bool isOpen() const { return window_.isOpen(); }
     /// Samples for each pixel, 0 without multisampling. Without a graphics card the edges of a
     /// Painter are the antialiasing.
     unsigned samples() const { return window_.getSettings().antialiasingLevel; }
     void close() { window_.close(); }
-    sf::Vector2u size() const { return window_.getSize(); }
+    Size size() const { return {window_.getSize().x, window_.getSize().y}; }
 
     /// The next pending event, or nothing. After a resize event the view is already updated.
     std::optional<sf::Event> nextEvent();
 
     /// Shows a picture. If paced, waits for the vertical sync or the frame limit.
-    void show(const Painter& picture, sf::Color background);
+    void show(const Painter& picture, Rgba background);
 
     /// From a window to the whole screen in its usual resolution, or back. Held keys are forgotten.
     void toggleFullScreen();
@@ -48,7 +48,7 @@ private:
     sf::ContextSettings context() const;
 
     std::string title_;
-    sf::Vector2u wanted_; // pixels
+    Size wanted_; // pixels
     bool fullScreen_ = false;
     bool multisampled_ = false;
     sf::RenderWindow window_;
@@ -56,7 +56,6 @@ private:
 
 /// Draws a picture without a window and writes it to a file; the extension selects the format
 /// (png). Needs a display. False if it cannot be drawn or written.
-bool savePicture(const Painter& picture, sf::Vector2u pixels, sf::Color background,
-                 const std::string& path);
+bool savePicture(const Painter& picture, Size pixels, Rgba background, const std::string& path);
 
 } // namespace kodo_sfml

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <kodo_sfml/circle.hpp>
 #include <kodo_sfml/world_painter.hpp>
+
+#include <kodo_draw/circle.hpp>
 
 #include <array>
 #include <cmath>
@@ -12,30 +13,29 @@ namespace {
 constexpr float kLineWidth = 1.5f;                    // pixels
 constexpr float kPointRadius = 3;                     // pixels
 constexpr kodo::Real kNormalLength = kodo::Real(0.2); // m
-constexpr sf::Uint8 kFilled = 110;                    // opacity, of 255
-constexpr sf::Uint8 kHollow = 35;                     // opacity of sleeping bodies
+constexpr std::uint8_t kFilled = 110;                 // opacity, of 255
+constexpr std::uint8_t kHollow = 35;                  // opacity of sleeping bodies
 
-const sf::Color kLockedColor(110, 118, 130);
-const sf::Color kContactColor(255, 210, 70);
-const sf::Color kImpulseColor(255, 90, 90);
-const sf::Color kBoundsColor(90, 200, 120, 150);
+const Rgba kLockedColor{110, 118, 130};
+const Rgba kContactColor{255, 210, 70};
+const Rgba kImpulseColor{255, 90, 90};
+const Rgba kBoundsColor{90, 200, 120, 150};
 
 /// Neighbouring ids get clearly different colours.
-sf::Color colorOf(kodo::BodyId id) {
-    static const std::array<sf::Color, 6> kColors = {
-        sf::Color(86, 156, 214),  sf::Color(206, 145, 120), sf::Color(181, 206, 168),
-        sf::Color(197, 134, 192), sf::Color(220, 205, 140), sf::Color(78, 201, 176)};
+Rgba colorOf(kodo::BodyId id) {
+    static const std::array<Rgba, 6> kColors = {Rgba{86, 156, 214},  Rgba{206, 145, 120},
+                                                Rgba{181, 206, 168}, Rgba{197, 134, 192},
+                                                Rgba{220, 205, 140}, Rgba{78, 201, 176}};
     return kColors[id.index % kColors.size()];
 }
 
 void paintBody(Painter& painter, const Camera& camera, const kodo::BodyView& body) {
     const bool locked = body.type() != kodo::BodyType::Dynamic;
-    const sf::Color edge = locked ? kLockedColor : colorOf(body.id());
+    const Rgba edge = locked ? kLockedColor : colorOf(body.id());
     const bool resting = (body.flags() & kodo::kAsleep) != 0;
-    const sf::Color fill(edge.r, edge.g, edge.b, resting ? kHollow : kFilled);
+    const Rgba fill{edge.r, edge.g, edge.b, resting ? kHollow : kFilled};
     for (std::size_t i = 0; i < body.partCount(); ++i) {
-        const std::vector<sf::Vector2f> corners =
-            cornersOf(body.part(i).convex, body.massFrame(), camera);
+        const std::vector<Pixel> corners = cornersOf(body.part(i).convex, body.massFrame(), camera);
         painter.polygon(corners, fill);
         painter.outline(corners, kLineWidth, edge);
     }
@@ -46,10 +46,10 @@ void paintBody(Painter& painter, const Camera& camera, const kodo::BodyView& bod
 }
 
 void paintBounds(Painter& painter, const Camera& camera, const kodo::Aabb& box) {
-    const sf::Vector2f lower = camera.toPixels(box.lower);
-    const sf::Vector2f upper = camera.toPixels(box.upper);
-    const std::array<sf::Vector2f, 4> corners = {lower, sf::Vector2f{upper.x, lower.y}, upper,
-                                                 sf::Vector2f{lower.x, upper.y}};
+    const Pixel lower = camera.toPixels(box.lower);
+    const Pixel upper = camera.toPixels(box.upper);
+    const std::array<Pixel, 4> corners = {lower, Pixel{upper.x, lower.y}, upper,
+                                          Pixel{lower.x, upper.y}};
     painter.outline(corners, 1, kBoundsColor);
 }
 
@@ -58,7 +58,7 @@ void paintRecord(Painter& painter, const Camera& camera, const kodo::CollisionRe
     if (record.phase == kodo::TouchPhase::End) {
         return;
     }
-    const sf::Vector2f point = camera.toPixels(record.point);
+    const Pixel point = camera.toPixels(record.point);
     if (look.contacts) {
         painter.disc(point, kPointRadius, kContactColor, kContactColor);
         painter.line(point, camera.toPixels(record.point + kNormalLength * record.normal),
@@ -73,9 +73,9 @@ void paintRecord(Painter& painter, const Camera& camera, const kodo::CollisionRe
 
 } // namespace
 
-std::vector<sf::Vector2f> cornersOf(const kodo::ConvexShape& convex,
-                                    const kodo::Transform& massFrame, const Camera& camera) {
-    std::vector<sf::Vector2f> corners;
+std::vector<Pixel> cornersOf(const kodo::ConvexShape& convex, const kodo::Transform& massFrame,
+                             const Camera& camera) {
+    std::vector<Pixel> corners;
     if (!convex.isRound()) {
         for (const kodo::Vec2 vertex : convex.vertices) {
             corners.push_back(camera.toPixels(massFrame * vertex));
@@ -83,10 +83,10 @@ std::vector<sf::Vector2f> cornersOf(const kodo::ConvexShape& convex,
         return corners;
     }
     constexpr int kSides = 24;
-    const sf::Vector2f center = camera.toPixels(massFrame * convex.vertices[0]);
+    const Pixel center = camera.toPixels(massFrame * convex.vertices[0]);
     const float radius = camera.toPixels(convex.radius);
     for (int i = 0; i < kSides; ++i) {
-        corners.push_back(onCircle(center, radius, i, kSides));
+        corners.push_back(kodo_draw::onCircle(center, radius, i, kSides));
     }
     return corners;
 }

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <kodo/world.hpp>
-#include <kodo_sfml/camera.hpp>
 #include <kodo_sfml/painter.hpp>
 
+#include <kodo_draw/camera.hpp>
+
 namespace kodo_sfml {
+
+using kodo_draw::Camera;
 
 /// Selects what is drawn of a World.
 struct WorldLook {
@@ -23,7 +26,7 @@ void paintWorld(Painter& painter, const Camera& camera, const kodo::World& world
                 const WorldLook& look = {});
 
 /// The corners of a part in pixels; a circle becomes a polygon.
-std::vector<sf::Vector2f> cornersOf(const kodo::ConvexShape& convex,
-                                    const kodo::Transform& massFrame, const Camera& camera);
+std::vector<Pixel> cornersOf(const kodo::ConvexShape& convex, const kodo::Transform& massFrame,
+                             const Camera& camera);
 
 } // namespace kodo_sfml

@@ -23,7 +23,9 @@
 namespace apart {
 namespace {
 
-const sf::Vector2u kPixels{layout::kWindowWidth, layout::kWindowHeight};
+const kodo_draw::Size kPixels{layout::kWindowWidth, layout::kWindowHeight};
+
+constexpr kodo_draw::Rgba kBlack{0, 0, 0};
 
 void complain(const std::string& sentence) {
     std::fprintf(stderr, "apart: %s\n", sentence.c_str());
@@ -50,7 +52,7 @@ int takePicture(StageDef def, const Options& options) {
     for (std::uint32_t shot = 0; shot < options.shots; ++shot) {
         const std::string path = pathOf(options, shot);
         stage.draw(canvas);
-        if (!kodo_sfml::savePicture(canvas.picture(), kPixels, sf::Color::Black, path)) {
+        if (!kodo_sfml::savePicture(canvas.picture(), kPixels, kBlack, path)) {
             complain("The picture cannot be written to " + path + ".");
             return kRefused;
         }
@@ -96,7 +98,7 @@ int play(StageDef def, const Options& options) {
         stage.draw(canvas);
         inspector.draw(canvas, shownBy(stage));
         controls.capture(!stage.wantsPointer());
-        window.show(canvas.picture(), sf::Color::Black);
+        window.show(canvas.picture(), kBlack);
     }
     window.close();
     return kDone;
@@ -120,7 +122,7 @@ int timeFrames(StageDef def, const Options& options) {
         const auto played = Clock::now();
         stage.draw(canvas);
         const auto drawn = Clock::now();
-        window.show(canvas.picture(), sf::Color::Black);
+        window.show(canvas.picture(), kBlack);
         if (const std::size_t bodies = stage.game().world().bodyCount(); bodies >= options.crowd) {
             times.add({secondsBetween(start, played), secondsBetween(played, drawn),
                        secondsBetween(drawn, Clock::now()),

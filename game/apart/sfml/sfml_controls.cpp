@@ -70,6 +70,10 @@ Real beyondDeadZone(float share) {
     return static_cast<Real>(share < 0 ? -way : way);
 }
 
+kodo_draw::Pixel pixelOf(sf::Vector2i place) {
+    return {static_cast<float>(place.x), static_cast<float>(place.y)};
+}
+
 } // namespace
 
 /// Sticks and held buttons of the first gamepad.
@@ -128,7 +132,7 @@ void SfmlControls::capture(bool on) {
 }
 
 void SfmlControls::move(sf::Vector2i place, Signals& signals) {
-    pointer_ = canvas_.camera().toWorld(sf::Vector2f(place));
+    pointer_ = canvas_.camera().toWorld(pixelOf(place));
     if (!captured_) {
         signals.pointer = pointer_;
         return;
@@ -136,8 +140,7 @@ void SfmlControls::move(sf::Vector2i place, Signals& signals) {
     if (recentred_ == place) {
         recentred_.reset(); // event of putPointer(), not of the player
     } else {
-        const sf::Vector2f from(last_);
-        signals.moved += pointer_.x - canvas_.camera().toWorld(from).x;
+        signals.moved += pointer_.x - canvas_.camera().toWorld(pixelOf(last_)).x;
     }
     last_ = place;
 }
@@ -147,7 +150,7 @@ void SfmlControls::move(sf::Vector2i place, Signals& signals) {
 /// positions still refer to the old place. If the system refuses it, no event arrives, and the
 /// border of the screen limits the displacement.
 void SfmlControls::recentre() {
-    const sf::Vector2u size = window_.size();
+    const kodo_draw::Size size = window_.size();
     const sf::Vector2i middle(static_cast<int>(size.x / 2), static_cast<int>(size.y / 2));
     const bool far =
         std::abs(last_.x - middle.x) > middle.x / 2 || std::abs(last_.y - middle.y) > middle.y / 2;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Uses kodo::sfml without a window.
-#include <kodo_sfml/camera.hpp>
+#include <kodo_draw/camera.hpp>
 
 int main() {
-    const kodo_sfml::Camera camera(kodo::Aabb{{0, 0}, {2, 1}}, sf::Vector2u{200, 100});
+    const kodo_draw::Camera camera(kodo::Aabb{{0, 0}, {2, 1}}, kodo_draw::Size{200, 100});
     const sf::Vector2f corner = camera.toPixels(kodo::Vec2{0, 1});
     return corner == sf::Vector2f{0, 0} ? 0 : 1;
 }

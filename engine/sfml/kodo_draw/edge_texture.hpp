@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <SFML/Graphics/Image.hpp>
-#include <SFML/System/Vector2.hpp>
+#include <kodo_draw/values.hpp>
 
-namespace kodo_sfml {
+#include <vector>
+
+namespace kodo_draw {
 
 // Edges of shapes fade over one pixel by the opacity of a small texture. Without it each edge
 // needs a quad of its own, and software rendering takes most of its time for the number of
@@ -15,22 +16,24 @@ constexpr float kFade = 0.5f; // pixels; an edge fades over this distance on bot
 constexpr float kThin = 1;    // pixels; a stroke of smaller half width has no opaque core
 
 /// Texel of a point that is this many pixels inside the outer border of a shape.
-sf::Vector2f rampTexel(float pixels);
+Pixel rampTexel(float pixels);
 /// Texel of a point without a fade.
-sf::Vector2f opaqueTexel();
+Pixel opaqueTexel();
 
 /// The profile of a stroke from border to border.
 struct StrokeProfile {
-    float halfPixels;                 // half width with the fade, of the quad to draw
-    sf::Vector2f left, middle, right; // texels; middle and right are equal distances from left
-    float opacity;                    // factor; a stroke thinner than a pixel is fainter instead
-    bool halves;                      // too wide for a row: one quad from each border to the middle
+    float halfPixels;          // half width with the fade, of the quad to draw
+    Pixel left, middle, right; // texels; middle and right are equal distances from left
+    float opacity;             // factor; a stroke thinner than a pixel is fainter instead
+    bool halves;               // too wide for a row: one quad from each border to the middle
 };
 StrokeProfile strokeProfile(float halfWidth);
 
 /// Opacity, 0..1, of the texture; texels outside it are those of its border.
-float opacityAt(sf::Vector2f texel);
-/// The texture, with premultiplied colours.
-sf::Image edgeImage();
+float opacityAt(Pixel texel);
+/// Width and height of the texture (texels).
+Size edgeTextureSize();
+/// Opacities of the texture, row by row from the top: a texel is white, premultiplied by its own.
+std::vector<std::uint8_t> edgeOpacities();
 
-} // namespace kodo_sfml
+} // namespace kodo_draw

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <kodo_sfml/camera.hpp>
+#include <kodo_draw/camera.hpp>
 
 #include <algorithm>
 
-namespace kodo_sfml {
+namespace kodo_draw {
 
-Camera::Camera(kodo::Aabb shown, sf::Vector2u picturePixels)
+Camera::Camera(kodo::Aabb shown, Size picturePixels)
     : shown_(shown),
       middle_(0.5f * static_cast<float>(picturePixels.x),
               0.5f * static_cast<float>(picturePixels.y)) {
@@ -15,19 +15,19 @@ Camera::Camera(kodo::Aabb shown, sf::Vector2u picturePixels)
     }
 }
 
-sf::Vector2f Camera::toPixels(kodo::Vec2 point) const {
+Pixel Camera::toPixels(kodo::Vec2 point) const {
     const kodo::Vec2 arm = point - shown_.center();
     return {middle_.x + scale_ * arm.x, middle_.y - scale_ * arm.y};
 }
 
-kodo::Vec2 Camera::toWorld(sf::Vector2f pixel) const {
+kodo::Vec2 Camera::toWorld(Pixel pixel) const {
     const kodo::Vec2 arm{pixel.x - middle_.x, middle_.y - pixel.y};
     return shown_.center() + arm / scale_;
 }
 
-sf::FloatRect Camera::frame() const {
+Rect Camera::frame() const {
     const kodo::Vec2 size = scale_ * shown_.extent();
     return {middle_.x - 0.5f * size.x, middle_.y - 0.5f * size.y, size.x, size.y};
 }
 
-} // namespace kodo_sfml
+} // namespace kodo_draw

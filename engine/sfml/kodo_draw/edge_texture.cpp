@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <kodo_sfml/edge_texture.hpp>
+#include <kodo_draw/edge_texture.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-namespace kodo_sfml {
+namespace kodo_draw {
 
 namespace {
 
@@ -21,11 +21,11 @@ float halfOfRow(unsigned row) {
 
 } // namespace
 
-sf::Vector2f rampTexel(float pixels) {
+Pixel rampTexel(float pixels) {
     return {kTexels * pixels, 0.5f};
 }
 
-sf::Vector2f opaqueTexel() {
+Pixel opaqueTexel() {
     return {kWidth - 0.5f, 0.5f};
 }
 
@@ -45,7 +45,7 @@ StrokeProfile strokeProfile(float halfWidth) {
     return {half, rampTexel(0), rampTexel(half), rampTexel(0), 1, true};
 }
 
-float opacityAt(sf::Vector2f texel) {
+float opacityAt(Pixel texel) {
     const float u = std::clamp(texel.x, 0.0f, static_cast<float>(kWidth));
     const auto row = static_cast<unsigned>(std::max(texel.y, 0.0f));
     if (row == 0) {
@@ -55,17 +55,19 @@ float opacityAt(sf::Vector2f texel) {
     return std::min((1 - fromMiddle) * halfOfRow(row), 1.0f);
 }
 
-sf::Image edgeImage() {
-    sf::Image image;
-    image.create(kWidth, kRows + 1, sf::Color::White);
-    for (unsigned y = 0; y <= kRows; ++y) {
-        for (unsigned x = 0; x < kWidth; ++x) {
-            const sf::Vector2f middle{static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f};
-            const auto opacity = static_cast<sf::Uint8>(255 * opacityAt(middle) + 0.5f);
-            image.setPixel(x, y, {opacity, opacity, opacity, opacity});
-        }
-    }
-    return image;
+Size edgeTextureSize() {
+    return {kWidth, kRows + 1};
 }
 
-} // namespace kodo_sfml
+std::vector<std::uint8_t> edgeOpacities() {
+    std::vector<std::uint8_t> opacities;
+    for (unsigned y = 0; y <= kRows; ++y) {
+        for (unsigned x = 0; x < kWidth; ++x) {
+            const Pixel middle{static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f};
+            opacities.push_back(static_cast<std::uint8_t>(255 * opacityAt(middle) + 0.5f));
+        }
+    }
+    return opacities;
+}
+
+} // namespace kodo_draw
