@@ -37,15 +37,16 @@ MAY_USE["engine/examples"] = ["public", "kodo_draw", "kodo_sfml"]
 MAY_USE["game/apart/core"] = ["public"]
 MAY_USE["game/apart/stage"] = ["public", "apart/core"]
 MAY_USE["game/apart/headless"] = ["public", "apart/core"]
-MAY_USE["game/apart/canvas"] = ["public", "kodo_draw", "apart/core", "apart/stage"]
+MAY_USE["game/apart/front"] = ["public", "kodo_draw", "apart/core", "apart/stage"]
 MAY_USE["game/apart/sfml"] = [
     "public",
     "kodo_draw",
     "kodo_sfml",
     "apart/core",
     "apart/stage",
-    "apart/canvas",
+    "apart/front",
 ]
+MAY_USE["game/apart/web"] = ["public", "kodo_draw", "apart/core", "apart/stage", "apart/front"]
 
 # Third-party library: the only folders that may include it.
 DOORS = {
@@ -61,6 +62,8 @@ DOORS = {
     "gtest/": ("tests/",),
     "gmock/": ("tests/",),
     "rapidcheck": ("tests/",),
+    "emscripten": ("game/apart/web",),
+    "GLES3/": ("game/apart/web",),
     "CLI/": ("game/apart/sfml", "game/apart/headless", "tests/", "tools/"),
 }
 

@@ -7,8 +7,8 @@ namespace kodo_draw {
 
 Camera::Camera(kodo::Aabb shown, Size picturePixels)
     : shown_(shown),
-      middle_(0.5f * static_cast<float>(picturePixels.x),
-              0.5f * static_cast<float>(picturePixels.y)) {
+      middle_{0.5f * static_cast<float>(picturePixels.x),
+              0.5f * static_cast<float>(picturePixels.y)} {
     const kodo::Vec2 extent = shown.extent();
     if (extent.x > 0 && extent.y > 0 && picturePixels.x > 0 && picturePixels.y > 0) {
         scale_ = std::min(2 * middle_.x / extent.x, 2 * middle_.y / extent.y);

@@ -5,7 +5,6 @@
 #include <apart/sfml/inspector.hpp>
 #include <apart/sfml/interruption.hpp>
 #include <apart/sfml/options.hpp>
-#include <apart/sfml/setup.hpp>
 #include <apart/sfml/sfml_canvas.hpp>
 #include <apart/sfml/sfml_controls.hpp>
 #include <apart/sfml/sfml_speaker.hpp>
@@ -139,7 +138,9 @@ int run(const Options& options) {
     if (options.probeDisplay) {
         return display ? kDone : kNoDisplay;
     }
-    auto def = setUp(options);
+    StartOptions start = options;
+    start.picture = !options.screenshot.empty() || options.frames > 0;
+    auto def = setUp(start);
     if (const auto* problem = std::get_if<std::string>(&def)) {
         complain(*problem);
         return kRefused;

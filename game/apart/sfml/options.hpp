@@ -1,24 +1,22 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <apart/front/setup.hpp>
+
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <variant>
 
 namespace apart {
 
 /// Options of the command line.
-struct Options {
-    std::string level;                 // empty: choose on the title screen
-    std::optional<std::uint32_t> seed; // nullopt: random
-    std::string replay;                // file; empty: the player plays
-    std::string screenshot;            // file; empty: open the window
-    std::uint32_t at = 600;            // tick of the screenshot
-    std::uint32_t shots = 1;           // number of screenshots
-    std::uint32_t every = 5;           // ticks from one to the next
-    std::uint32_t frames = 0;          // number of frames to time; 0: play
-    std::uint32_t crowd = 0;           // least number of bodies in a timed frame
+struct Options : StartOptions {
+    std::string screenshot;   // file; empty: open the window
+    std::uint32_t at = 600;   // tick of the screenshot
+    std::uint32_t shots = 1;  // number of screenshots
+    std::uint32_t every = 5;  // ticks from one to the next
+    std::uint32_t frames = 0; // number of frames to time; 0: play
+    std::uint32_t crowd = 0;  // least number of bodies in a timed frame
     bool mute = false;
     bool probeDisplay = false;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <apart/canvas/mesh_canvas.hpp>
+#include <apart/front/mesh_canvas.hpp>
 #include <kodo_sfml/painter.hpp>
 
 #include <array>

@@ -44,7 +44,10 @@ std::string dateOf(const std::filesystem::path& file) {
     if (error) {
         return {};
     }
-    const year_month_day date(floor<days>(file_clock::to_sys(time)));
+    // Not every standard library has file_clock::to_sys().
+    const auto age = std::filesystem::file_time_type::clock::now() - time;
+    const year_month_day date(
+        floor<days>(system_clock::now() - duration_cast<system_clock::duration>(age)));
     return fmt::format("{}-{:02}-{:02}", static_cast<int>(date.year()),
                        static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()));
 }

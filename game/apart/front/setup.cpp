@@ -3,7 +3,7 @@
 #include <apart/core/bot.hpp>
 #include <apart/core/endless.hpp>
 #include <apart/core/medals.hpp>
-#include <apart/sfml/setup.hpp>
+#include <apart/front/setup.hpp>
 #include <apart/stage/own_levels.hpp>
 #include <apart/stage/profile_file.hpp>
 #include <apart/stage/replay_store.hpp>
@@ -148,14 +148,14 @@ void takeMarks(StageDef& def) {
 
 } // namespace
 
-std::variant<StageDef, std::string> setUp(const Options& options) {
+std::variant<StageDef, std::string> setUp(const StartOptions& options) {
     StageDef def;
     def.levels = readLevels(def.leftOut);
     if (def.levels.empty()) {
         return noLevelsText();
     }
     def.bot = [](const Game& game) { return std::optional(bot(game)); };
-    const bool picture = !options.screenshot.empty() || options.frames > 0;
+    const bool picture = options.picture;
     if (!picture) { // a picture does not depend on the profile
         takeProfile(def);
     }

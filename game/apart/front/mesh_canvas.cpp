@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <apart/canvas/mesh_canvas.hpp>
+#include <apart/front/mesh_canvas.hpp>
 #include <apart/stage/layout.hpp>
 #include <apart/stage/letterforms.hpp>
 

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <apart/stage/stage.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace apart {
+
+/// What to start with.
+struct StartOptions {
+    std::string level;                 // empty: choose on the title screen
+    std::optional<std::uint32_t> seed; // nullopt: random
+    std::string replay;                // file; empty: the player plays
+    bool picture = false;              // the bot plays, and no profile is read
+};
+
+/// The stage for these options, or the reason why there is none, as a sentence.
+std::variant<StageDef, std::string> setUp(const StartOptions& options);
+
+} // namespace apart

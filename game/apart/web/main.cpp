@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+// The game in a page. The page prepares typefaces and storage, then calls startGame().
+#include <apart/front/setup.hpp>
+#include <apart/web/web_canvas.hpp>
+#include <apart/web/web_controls.hpp>
+#include <apart/web/web_speaker.hpp>
+
+#include <emscripten/emscripten.h>
+#include <emscripten/html5.h>
+
+#include <cstdlib>
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace apart {
+namespace {
+
+constexpr const char* kElement = "#canvas";
+
+// Shows a sentence instead of the game.
+EM_JS(void, complain, (const char* sentence), { Module.complain(UTF8ToString(sentence)); });
+// Copies the files of the player to the browser's storage, if it has any.
+EM_JS(void, keepFiles, (), { Module.keepFiles(); });
+
+/// Everything that lives as long as the page.
+struct Page {
+    explicit Page(StageDef def) : stage(std::move(def)), canvas({1, 1}), controls(canvas) {}
+
+    Stage stage;
+    WebCanvas canvas;
+    WebControls controls;
+    WebSpeaker speaker;
+    double last = 0;   // ms
+    bool lost = false; // the context of the canvas
+};
+
+std::unique_ptr<Page> thePage;
+
+/// Fits the canvas to the page; the result is its size in pixels of the screen.
+kodo_draw::Size fitCanvas(Page& page) {
+    const double density = emscripten_get_device_pixel_ratio();
+    double width = 0;
+    double height = 0;
+    emscripten_get_element_css_size(kElement, &width, &height);
+    const kodo_draw::Size wanted{static_cast<unsigned>(width * density),
+                                 static_cast<unsigned>(height * density)};
+    int nowX = 0;
+    int nowY = 0;
+    emscripten_get_canvas_element_size(kElement, &nowX, &nowY);
+    if (kodo_draw::Size{static_cast<unsigned>(nowX), static_cast<unsigned>(nowY)} != wanted) {
+        emscripten_set_canvas_element_size(kElement, static_cast<int>(wanted.x),
+                                           static_cast<int>(wanted.y));
+    }
+    page.controls.setDensity(density);
+    return wanted;
+}
+
+void frame() {
+    Page& page = *thePage;
+    const double now = emscripten_get_now();
+    const double seconds = (now - page.last) / 1000;
+    page.last = now;
+    page.controls.setBindings(page.stage.profile().bindings);
+    const Signals signals = page.controls.poll();
+    if (page.controls.takePress()) {
+        page.speaker.start();
+    }
+    page.stage.advance(seconds, signals, page.speaker);
+    page.controls.capture(!page.stage.wantsPointer());
+    if (page.lost) {
+        return;
+    }
+    const kodo_draw::Size size = fitCanvas(page);
+    page.canvas.setSize(size);
+    page.stage.draw(page.canvas);
+    page.canvas.show(size);
+}
+
+bool openContext(WebCanvas& canvas) {
+    EmscriptenWebGLContextAttributes wanted;
+    emscripten_webgl_init_context_attributes(&wanted);
+    wanted.majorVersion = 2;
+    wanted.alpha = wanted.depth = wanted.stencil = wanted.antialias = EM_FALSE;
+    const EMSCRIPTEN_WEBGL_CONTEXT_HANDLE context =
+        emscripten_webgl_create_context(kElement, &wanted);
+    if (context <= 0) {
+        return false;
+    }
+    emscripten_webgl_make_context_current(context);
+    canvas.makeResources();
+    return true;
+}
+
+/// A context is lost when the machine sleeps, for instance; it comes back later. A page may be
+/// hidden.
+void watchPage(Page& page) {
+    emscripten_set_webglcontextlost_callback(kElement, &page, EM_FALSE,
+                                             [](int, const void*, void* self) -> EM_BOOL {
+                                                 static_cast<Page*>(self)->lost = true;
+                                                 return EM_TRUE; // it may be restored
+                                             });
+    emscripten_set_webglcontextrestored_callback(kElement, &page, EM_FALSE,
+                                                 [](int, const void*, void* self) -> EM_BOOL {
+                                                     auto& restored = *static_cast<Page*>(self);
+                                                     restored.canvas.makeResources();
+                                                     restored.lost = false;
+                                                     return EM_TRUE;
+                                                 });
+    emscripten_set_visibilitychange_callback(
+        &page, EM_FALSE,
+        [](int, const EmscriptenVisibilityChangeEvent* event, void* self) -> EM_BOOL {
+            auto& seen = *static_cast<Page*>(self);
+            seen.speaker.pause(event->hidden != 0);
+            if (event->hidden) {
+                seen.controls.loseFocus();
+            }
+            return EM_FALSE;
+        });
+}
+
+/// The files of the player are copied to the browser's storage whenever one was written.
+void keepInBrowser(StageDef& def) {
+    if (def.keeping.save) {
+        def.keeping.save = [save = std::move(def.keeping.save)](const Profile& profile) {
+            std::string problem = save(profile);
+            keepFiles();
+            return problem;
+        };
+    }
+    if (def.keeping.keepReplay) {
+        def.keeping.keepReplay = [keep = std::move(def.keeping.keepReplay)](
+                                     const ReplayRun& run, const std::string& best) {
+            std::string problem = keep(run, best);
+            keepFiles();
+            return problem;
+        };
+    }
+}
+
+} // namespace
+} // namespace apart
+
+/// `level` and `replay` may be empty: what a link names. The replay is a file.
+extern "C" EMSCRIPTEN_KEEPALIVE void startGame(const char* level, const char* replay) {
+    using namespace apart;
+    StartOptions options;
+    options.level = level;
+    options.replay = replay;
+    auto def = setUp(options);
+    if (const auto* problem = std::get_if<std::string>(&def)) {
+        return complain(problem->c_str());
+    }
+    auto& stage = std::get<StageDef>(def);
+    keepInBrowser(stage);
+    thePage = std::make_unique<Page>(std::move(stage));
+    if (!openContext(thePage->canvas)) {
+        return complain("This browser has no WebGL 2, which the game is drawn with.");
+    }
+    watchPage(*thePage);
+    thePage->last = emscripten_get_now();
+    emscripten_set_main_loop(frame, 0, EM_FALSE);
+}
+
+/// What the buttons of the page do: 0 pause.
+extern "C" EMSCRIPTEN_KEEPALIVE void pressButton(int button) {
+    if (apart::thePage && button == 0) {
+        apart::thePage->controls.give(apart::Command::Pause);
+    }
+}
+
+/// State of the game, for tests: the screen, the tick, the score.
+extern "C" EMSCRIPTEN_KEEPALIVE int gameState(int what) {
+    if (!apart::thePage) {
+        return -1;
+    }
+    const apart::Stage& stage = apart::thePage->stage;
+    switch (what) {
+    case 0:
+        return static_cast<int>(stage.screen());
+    case 1:
+        return static_cast<int>(stage.game().ticks());
+    default:
+        return stage.game().score();
+    }
+}
+
+int main() {
+    setenv("APART_ASSETS", "/assets", 1);
+    setenv("XDG_CONFIG_HOME", "/player", 1);
+    return 0;
+}

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+// Prepares what the game needs of the page: typefaces, the player's files, links, buttons.
+//
+// A link may name what to start with: #level=NAME, #daily or #replay=DATA. DATA is the text of a
+// replay, compressed by raw deflate, as base64 for URLs.
+"use strict";
+
+const news = document.getElementById("news");
+const canvas = document.getElementById("canvas");
+const folder = "/player";
+const lastGame = folder + "/apart/last.replay";
+
+function tell(sentence) {
+    news.textContent = sentence;
+    news.hidden = sentence === "";
+}
+
+function toLink(bytes) {
+    let text = "";
+    bytes.forEach((byte) => { text += String.fromCharCode(byte); });
+    return btoa(text).replace(/\+/g, "-").replace(/\//g, "_").replace(/=+$/, "");
+}
+
+function fromLink(text) {
+    const raw = atob(text.replace(/-/g, "+").replace(/_/g, "/"));
+    return Uint8Array.from(raw, (letter) => letter.charCodeAt(0));
+}
+
+async function through(stream, bytes) {
+    const all = new Blob([bytes]).stream().pipeThrough(stream);
+    return new Uint8Array(await new Response(all).arrayBuffer());
+}
+
+/// What the link of the page asks for.
+async function wishes() {
+    const asked = new URLSearchParams(location.hash.slice(1));
+    const wish = { level: asked.get("level") || "", replay: "" };
+    if (asked.has("replay")) {
+        const text = await through(new DecompressionStream("deflate-raw"), fromLink(asked.get("replay")));
+        wish.replay = "/link.replay";
+        FS.writeFile(wish.replay, text);
+    }
+    return wish;
+}
+
+async function copyLink() {
+    let text;
+    try {
+        text = FS.readFile(lastGame);
+    } catch (error) {
+        return flash("There is no game to link to yet.");
+    }
+    const packed = await through(new CompressionStream("deflate-raw"), text);
+    const link = location.href.split("#")[0] + "#replay=" + toLink(packed);
+    try {
+        await navigator.clipboard.writeText(link);
+        flash("The link to your last game is copied.");
+    } catch (error) {
+        window.prompt("The link to your last game:", link);
+    }
+}
+
+let flashes = 0;
+function flash(sentence) {
+    tell(sentence);
+    const mine = ++flashes;
+    setTimeout(() => { if (mine === flashes) { tell(""); } }, 2500);
+}
+
+/// Draws one letter with the typefaces of the page: its advance, offset x, offset y, width and
+/// height go to `metrics`, its opacities, row by row, to `opacities`.
+let letters = null;
+function drawLetter(bold, height, letter, metrics, opacities, largest) {
+    if (!letters) {
+        const sheet = document.createElement("canvas");
+        sheet.width = sheet.height = largest;
+        letters = sheet.getContext("2d", { willReadFrequently: true });
+    }
+    letters.font = (bold ? "bold " : "") + height + "px apart, sans-serif";
+    letters.fillStyle = "#fff";
+    const text = String.fromCodePoint(letter);
+    const size = letters.measureText(text);
+    const blank = text.trim() === "";
+    const left = Math.floor(-size.actualBoundingBoxLeft) - 1;
+    const top = Math.floor(-size.actualBoundingBoxAscent) - 1;
+    const extent = (far, near) => blank ? 0 : Math.min(Math.ceil(far) + 1 - near, largest);
+    const width = extent(size.actualBoundingBoxRight, left);
+    const rows = extent(size.actualBoundingBoxDescent, top);
+    HEAPF32.set([Math.round(size.width), left, top, width, rows], metrics >> 2);
+    if (width > 0 && rows > 0) {
+        letters.clearRect(0, 0, largest, largest);
+        letters.fillText(text, -left, -top);
+        const pixels = letters.getImageData(0, 0, width, rows).data;
+        for (let i = 0; i < width * rows; ++i) {
+            HEAPU8[opacities + i] = pixels[4 * i + 3];
+        }
+    }
+}
+
+/// The script processor renders on the page's own thread, where the mixer lives. Worklets need
+/// shared memory, and so headers that a static server does not send.
+let sound = null;
+function openSound(rate, frames, mixer) {
+    try {
+        sound = new (window.AudioContext || window.webkitAudioContext)({ sampleRate: rate });
+        const node = sound.createScriptProcessor(frames, 0, 2);
+        node.onaudioprocess = (event) => {
+            const samples = Module._renderSound(mixer, frames) >> 2;
+            const left = event.outputBuffer.getChannelData(0);
+            const right = event.outputBuffer.getChannelData(1);
+            for (let i = 0; i < frames; ++i) {
+                left[i] = HEAPF32[samples + 2 * i];
+                right[i] = HEAPF32[samples + 2 * i + 1];
+            }
+        };
+        node.connect(sound.destination);
+        sound.node = node; // so that it is not collected
+        return 1;
+    } catch (error) {
+        console.warn("aPart is silent: " + error);
+        return 0;
+    }
+}
+
+function setSound(on) {
+    if (sound) {
+        on ? sound.resume() : sound.suspend();
+    }
+}
+
+var Module = {
+    drawLetter,
+    openSound,
+    setSound,
+    canvas,
+    noInitialRun: false,
+    print: (line) => console.log(line),
+    printErr: (line) => console.warn(line),
+    complain: tell,
+    keepFiles: () => {},
+    preRun: [() => {
+        // Private windows refuse storage: the files then last as long as the page.
+        FS.mkdir(folder);
+        FS.mount(IDBFS, {}, folder);
+        addRunDependency("storage");
+        FS.syncfs(true, (error) => {
+            if (error) {
+                console.warn("Settings and scores are not kept: " + error);
+            } else {
+                Module.keepFiles = () => FS.syncfs(false, () => {});
+            }
+            removeRunDependency("storage");
+        });
+    }],
+    onRuntimeInitialized: () => setTimeout(start, 0), // after main()
+    onAbort: (reason) => tell("The game stopped: " + reason),
+};
+
+async function start() {
+    await Promise.all([document.fonts.load("16px apart"), document.fonts.load("bold 16px apart")]);
+    let wish = { level: "", replay: "" };
+    let problem = "";
+    try {
+        wish = await wishes();
+    } catch (error) {
+        problem = "The replay of this link is damaged.";
+    }
+    tell("");
+    Module.ccall("startGame", null, ["string", "string"], [wish.level, wish.replay]);
+    if (problem) {
+        flash(problem);
+    }
+    canvas.focus();
+}
+
+document.getElementById("pause").onclick = () => { Module._pressButton(0); canvas.focus(); };
+document.getElementById("link").onclick = () => { copyLink(); canvas.focus(); };
+document.getElementById("full").onclick = () => {
+    document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen();
+    canvas.focus();
+};
+canvas.addEventListener("contextmenu", (event) => event.preventDefault());
+window.addEventListener("hashchange", () => location.reload());
