@@ -12,7 +12,7 @@ from check_sizes import blank_comments_and_strings, run  # noqa: E402
 
 # Folders of engine/src, lowest first: each may include the folders before it.
 ENGINE = (
-    "base math shapes broad collide bodies contacts joints lanes impacts soft propagation"
+    "base math shapes broad collide bodies lanes contacts joints impacts soft propagation"
     " continuous sleep world"
 ).split()
 
@@ -86,6 +86,9 @@ SAME_BITS = [
     (r"\bstd::(bit_cast|format|pmr|jthread)\b", "missing in some supported standard libraries"),
     (r"\bstd::c(out|err|log)\b|#\s*include\s*<iostream>", "a library must not print"),
 ]
+# Folders of the engine whose code must not call what lies above it by a stored function.
+NO_CALLBACKS = ("engine/src/contacts/", "engine/src/lanes/")
+CALLBACK = re.compile(r"\bstd::(move_only_)?function\b")
 SORTS = re.compile(r"\bstd::(sort|partial_sort|nth_element|make_heap|sort_heap)\b")
 TOTAL_ORDER = re.compile(r"//.*total order", re.IGNORECASE)
 
@@ -168,6 +171,13 @@ def check_same_bits(raw, code):
                 )
 
 
+def check_callbacks(code):
+    """Yields (line number, message)."""
+    for number, line in enumerate(code, 1):
+        if match := CALLBACK.search(line):
+            yield number, f"{match.group(0).strip()}: no calls upwards; pass what is needed"
+
+
 def check_precision(text):
     """The message for a file without the macro of its inline namespace, or None. Such a file
     compiles, and its functions have names that no other file can link."""
@@ -194,6 +204,8 @@ def check_file(path, name):
                 yield number, sentence
     if f"{folder}/".startswith(("engine/src/", "engine/include/", "game/apart/core/")):
         yield from check_same_bits(raw, code)
+    if f"{folder}/".startswith(NO_CALLBACKS):
+        yield from check_callbacks(code)
 
 
 if __name__ == "__main__":

@@ -4,8 +4,6 @@
 #include <kodo/snapshot.hpp>
 #include <scenes/in_kodo.hpp>
 
-#include "contacts/contact.hpp"
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -14,6 +12,7 @@
 
 #include "bench_engine.hpp"
 #include "heap.hpp"
+#include "lanes/contact.hpp"
 #include "lanes/contact_block.hpp"
 
 namespace bench::KODO_PRECISION {
@@ -313,8 +312,8 @@ public:
     }
     std::optional<ContactBytes> contactBytes() const override {
         constexpr std::size_t kRow = sizeof(kodo::ContactBlock) / kodo::ContactBlock::kContacts;
-        constexpr std::size_t kRest =
-            sizeof(kodo::Contact) + sizeof(kodo::ContactSummary) + sizeof(kodo::Carried);
+        constexpr std::size_t kRest = sizeof(kodo::Contact) + sizeof(kodo::ContactSummary) +
+                                      sizeof(kodo::ContactBlock) / kodo::ContactBlock::kContacts;
         return ContactBytes{kRest + kRow, kRow};
     }
     SnapshotWork snapshotWork() const override {

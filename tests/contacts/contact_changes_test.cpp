@@ -168,14 +168,14 @@ private:
         if (count_ < 5) {
             return;
         }
-        contacts_.drop(body, [](Contact&) {});
+        contacts_.drop(body, bodies_);
         removeBody(bodies_, body);
         --count_;
     }
     template <typename Change>
     void touch(Change change) {
         const std::uint32_t body = any();
-        contacts_.drop(body, [](Contact&) {}); // parts may be removed
+        contacts_.drop(body, bodies_); // parts may be removed
         change(body);
         contacts_.bodyChanged(body);
     }

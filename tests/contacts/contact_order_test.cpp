@@ -38,29 +38,24 @@ public:
         step();
     }
 
-    /// Contacts that respond are resident from step to step.
+    /// Contacts that respond stay in the passes from step to step.
     void step() {
         set.updatePairs(bodies, {}, Tolerances::forUnit(1), Real(1) / 60, team);
-        blocks.carry(bodies, team);
-        set.updateManifolds(
-            bodies, Tolerances::forUnit(1), Real(1) / 60,
-            {blocks.carried(), [&](Contact& contact) { blocks.evict(contact, bodies); }}, team);
+        set.updateManifolds(bodies, Tolerances::forUnit(1), Real(1) / 60, team);
         take();
     }
     void take() {
         std::vector<std::uint32_t> newcomers;
-        blocks.begin(bodies, set.contacts(), true, false);
+        blocks().begin(set.store().all(), true, false);
         for (const std::uint32_t place : set.live()) {
-            Contact& contact = set.contacts()[place];
-            if (contact.responds() && !blocks.take(bodies, contact)) {
+            if (set.contacts()[place].responds() &&
+                !blocks().take(bodies, set.store().entry(place))) {
                 newcomers.push_back(place);
             }
         }
-        blocks.arrange(bodies, set.contacts(), newcomers, {}, 3);
-        for (std::uint32_t place = 0; place < set.contacts().size(); ++place) {
-            set.noteRow(place);
-        }
+        blocks().arrange(bodies, set.store().all(), newcomers, {}, 3);
     }
+    ContactBlocks& blocks() { return set.lanes(); }
     /// Removes bodies and puts them back, so that their contacts are new.
     void stir(support::RandomNumbers& random, int count) {
         for (int i = 0; i < count; ++i) {
@@ -84,7 +79,6 @@ public:
     static constexpr int kSide = 40;
     Bodies bodies;
     ContactSet set;
-    ContactBlocks blocks;
     WorkerTeam team;
 };
 
@@ -102,10 +96,10 @@ TEST(ContactOrder, IsRestoredAfterManyChanges) {
         lattice.step();
     }
     EXPECT_TRUE(lattice.isInOrder());
-    // all contacts are unchanged at their new places, also the resident ones
+    // all contacts are unchanged at their new places, and have their lanes
     std::size_t i = 0;
     const ContactSet& set = lattice.set;
-    const ContactPassArguments pass = lattice.blocks.pass(lattice.bodies, 0, {});
+    const ContactPassArguments pass = lattice.blocks().pass(lattice.bodies, 0, {});
     lattice.set.store().forEachInOrder([&](std::uint32_t slot) {
         const Contact& contact = set.contacts()[slot];
         EXPECT_EQ(slot, i);
@@ -113,12 +107,11 @@ TEST(ContactOrder, IsRestoredAfterManyChanges) {
         EXPECT_EQ(summary.bodyA, contact.key.bodyA);
         EXPECT_EQ(summary.bodyB, contact.key.bodyB);
         EXPECT_EQ(summary.meets, contact.manifold.count > 0);
-        EXPECT_EQ(summary.row, contact.row.index);
-        EXPECT_EQ(contact.row.resident, contact.manifold.count > 0);
-        if (contact.row.resident) {
-            const ContactBlock& block = pass.blocks[contact.row.index / 8];
-            EXPECT_EQ(block.a[contact.row.index % 8], velocityOffset(contact.key.bodyA));
-            EXPECT_EQ(block.b[contact.row.index % 8], velocityOffset(contact.key.bodyB));
+        EXPECT_EQ(summary.inPasses(), contact.manifold.count > 0);
+        if (summary.inPasses()) {
+            const ContactBlock& block = pass.blocks[summary.row.index / 8];
+            EXPECT_EQ(block.a[summary.row.index % 8], velocityOffset(contact.key.bodyA));
+            EXPECT_EQ(block.b[summary.row.index % 8], velocityOffset(contact.key.bodyB));
         }
     });
     EXPECT_EQ(i, count);
@@ -130,19 +123,19 @@ TEST(ContactOrder, OfRebuiltLanesIsThatOfThePass) {
     for (const std::uint32_t partitions : {1u, 3u, 16u}) {
         SCOPED_TRACE(partitions);
         Lattice lattice(23);
-        ContactBlocks& blocks = lattice.blocks;
+        ContactBlocks& blocks = lattice.blocks();
         const std::size_t rows = blocks.size();
         ASSERT_GT(rows, ReorderPolicy::kMany);
         std::vector<std::uint8_t> colours;
-        for (const Contact& contact : lattice.set.contacts()) {
-            colours.push_back(contact.row.colour);
+        for (const ContactSummary& summary : lattice.set.summaries()) {
+            colours.push_back(summary.row.colour);
         }
-        blocks.rebuildGraph(lattice.bodies, lattice.set, partitions);
+        lattice.set.rebuildLanes(lattice.bodies, partitions);
         lattice.take();
         EXPECT_EQ(blocks.size(), rows);
         EXPECT_EQ(blocks.partitions().count(), partitions);
         for (std::size_t i = 0; i < colours.size(); ++i) {
-            EXPECT_EQ(lattice.set.contacts()[i].row.colour, colours[i]);
+            EXPECT_EQ(lattice.set.summaries()[i].row.colour, colours[i]);
         }
         // in each partition and colour all blocks but the last are full; none is empty
         const ContactPassArguments pass = blocks.pass(lattice.bodies, 0, {});
@@ -166,11 +159,11 @@ TEST(ContactOrder, OfRebuiltLanesIsThatOfThePass) {
 // Contacts that keep their lanes do not stray, even if the lanes are filled again.
 TEST(ContactOrder, OfLanesNeedsNoRebuildWithoutNewContacts) {
     Lattice lattice(24);
-    lattice.blocks.rebuildGraph(lattice.bodies, lattice.set, 1);
+    lattice.set.rebuildLanes(lattice.bodies, 1);
     for (std::uint64_t step = 0; step < 10 * ReorderPolicy::kSteps; ++step) {
-        lattice.blocks.discardLanes();
+        lattice.blocks().discardLanes();
         lattice.step();
-        ASSERT_FALSE(lattice.blocks.countReorder()) << step;
+        ASSERT_FALSE(lattice.blocks().countReorder()) << step;
     }
 }
 

@@ -28,14 +28,14 @@ public:
         addBody(bodies_, def, geometry);
         place({0, height}, 0);
         contact.key = {0, 0, 1, 0};
-        findContact(contact, bodies_, kScale, Real(1) / 60);
-        contact.carried = true;
+        findContact(contact, lane, bodies_, kScale, Real(1) / 60);
+        contact.filled = true;
     }
 
     /// Moves the upper box and finds the contact there.
     void findAt(Vec2 position, Real turn) {
         place(position, turn);
-        findContact(contact, bodies_, kScale, Real(1) / 60);
+        findContact(contact, lane, bodies_, kScale, Real(1) / 60);
     }
     /// A step with this displacement of the upper box. True if the manifold is kept.
     bool keepsAfter(Vec2 move, Real turn = 0) {
@@ -44,10 +44,16 @@ public:
         motion.deltaAngle = turn;
         angle_ += turn;
         place(bodies_.pose[1].position + move, angle_);
-        return followContact(contact, bodies_, kScale, false);
+        return followContact(contact, lane, bodies_, kScale, false);
     }
 
     Contact contact;
+
+private:
+    ContactBlock block_{};
+
+public:
+    const ContactLane lane{block_};
 
 private:
     void place(Vec2 position, Real turn) {
@@ -88,14 +94,14 @@ TEST(ContactUpdate, ImpulsesKeepTheirPlacesWhenTheReferenceFaceChanges) {
         ASSERT_EQ(boxes.contact.manifold.count, 2);
         for (std::size_t i = 0; i < 2; ++i) {
             ManifoldPoint& point = boxes.contact.manifold.points[i];
-            boxes.contact.impulse[i].normal = point.armA.x < 0 ? 3 : 4;
+            boxes.lane.impulse(i) = point.armA.x < 0 ? 3 : 4;
             point.feature ^= 0xffff; // as if of the other reference face
         }
         boxes.findAt({0, Real(0.998)}, -kTurn);
         ASSERT_EQ(boxes.contact.manifold.count, 2);
         for (std::size_t i = 0; i < 2; ++i) {
             const bool left = boxes.contact.manifold.points[i].armA.x < 0;
-            EXPECT_EQ(boxes.contact.impulse[i].normal, left ? 3 : 4);
+            EXPECT_EQ(boxes.lane.impulse(i), left ? 3 : 4);
         }
     }
 }
@@ -110,12 +116,12 @@ TEST(ContactUpdate, ImpulsesDoNotMoveToTheOtherCorner) {
         boxes.findAt({0, height}, kTurn);
         ASSERT_GE(boxes.contact.manifold.count, 1);
         const bool right = boxes.contact.manifold.points[0].armA.x > 0;
-        boxes.contact.impulse[0].normal = 3;
-        boxes.contact.impulse[1].normal = 0;
+        boxes.lane.impulse(0) = 3;
+        boxes.lane.impulse(1) = 0;
         boxes.findAt({0, height}, -kTurn);
         ASSERT_GE(boxes.contact.manifold.count, 1);
         EXPECT_NE(boxes.contact.manifold.points[0].armA.x > 0, right);
-        EXPECT_EQ(boxes.contact.impulse[0].normal, 0);
+        EXPECT_EQ(boxes.lane.impulse(0), 0);
     }
 }
 
@@ -126,21 +132,21 @@ TEST(ContactUpdate, ImpulsesAreMatchedByFeatureAndThenByPlace) {
     boxes.findAt({0, Real(0.998)}, 0);
     ASSERT_EQ(boxes.contact.manifold.count, 2);
     const Manifold before = boxes.contact.manifold;
-    boxes.contact.impulse[0].normal = 3;
-    boxes.contact.impulse[1].normal = 4;
+    boxes.lane.impulse(0) = 3;
+    boxes.lane.impulse(1) = 4;
     boxes.contact.manifold.points[0].feature ^= 0xffff;
     boxes.findAt({0, Real(0.998)}, 0);
-    EXPECT_EQ(boxes.contact.impulse[0].normal, 3);
-    EXPECT_EQ(boxes.contact.impulse[1].normal, 4);
+    EXPECT_EQ(boxes.lane.impulse(0), 3);
+    EXPECT_EQ(boxes.lane.impulse(1), 4);
 
     boxes.contact.manifold = before;
     boxes.contact.manifold.points[0] = before.points[1];
     boxes.contact.manifold.points[0].feature ^= 0xffff;
     boxes.contact.manifold.count = 1;
-    boxes.contact.impulse[0].normal = 5;
+    boxes.lane.impulse(0) = 5;
     boxes.findAt({0, Real(0.998)}, 0);
-    EXPECT_EQ(boxes.contact.impulse[0].normal, 0);
-    EXPECT_EQ(boxes.contact.impulse[1].normal, 5);
+    EXPECT_EQ(boxes.lane.impulse(0), 0);
+    EXPECT_EQ(boxes.lane.impulse(1), 5);
 }
 
 // Both old points are in range: the nearer one is matched.
@@ -152,13 +158,13 @@ TEST(ContactUpdate, ImpulsesAreMatchedToTheNearestPlace) {
         ManifoldPoint& point = boxes.contact.manifold.points[i];
         point = boxes.contact.manifold.points[0];
         point.feature = static_cast<std::uint32_t>(0xffff0 + i);
-        boxes.contact.impulse[i].normal = static_cast<Real>(3 + i);
+        boxes.lane.impulse(i) = static_cast<Real>(3 + i);
     }
     boxes.contact.manifold.points[0].armA.x += 4 * kScale.slop;
     boxes.contact.manifold.points[0].armB.x += 4 * kScale.slop;
     boxes.findAt({0, Real(0.998)}, 0);
-    EXPECT_EQ(boxes.contact.impulse[0].normal, 4);
-    EXPECT_EQ(boxes.contact.impulse[1].normal, 0);
+    EXPECT_EQ(boxes.lane.impulse(0), 4);
+    EXPECT_EQ(boxes.lane.impulse(1), 0);
 }
 
 // When a box passes a corner, the normal turns by 90 degrees. Old impulses are then invalid.
@@ -167,16 +173,15 @@ TEST(ContactUpdate, ImpulsesAreDroppedWhenTheNormalTurns) {
     boxes.findAt({Real(0.98), Real(0.99)}, 0);
     ASSERT_EQ(boxes.contact.manifold.count, 2);
     ASSERT_NEAR(boxes.contact.manifold.normal.y, 1, 1e-3);
-    boxes.contact.impulse[0].normal = 3;
-    boxes.contact.impulse[1].normal = 4;
+    boxes.lane.impulse(0) = 3;
+    boxes.lane.impulse(1) = 4;
     for (ManifoldPoint& point : boxes.contact.manifold.points) {
         point.feature ^= 0xffff;
     }
     boxes.findAt({Real(0.99), Real(0.98)}, 0);
     ASSERT_NEAR(boxes.contact.manifold.normal.x, 1, 1e-3);
-    for (const PointImpulse& impulse : boxes.contact.impulse) {
-        EXPECT_EQ(impulse.normal, 0);
-    }
+    EXPECT_EQ(boxes.lane.impulse(0), 0);
+    EXPECT_EQ(boxes.lane.impulse(1), 0);
 }
 
 // In a deep overlap, other features may mean that the shortest separation now has another
@@ -186,7 +191,7 @@ TEST(ContactUpdate, ImpulsesOfADeepOverlapAreMatchedByFeatureOnly) {
     boxes.findAt({0, Real(0.9)}, 0);
     ASSERT_EQ(boxes.contact.manifold.count, 2);
     for (std::size_t i = 0; i < 2; ++i) {
-        boxes.contact.impulse[i].normal = 3;
+        boxes.lane.impulse(i) = 3;
     }
     boxes.contact.manifold.points[0].feature ^= 0xffff;
     const std::uint32_t known = boxes.contact.manifold.points[1].feature;
@@ -194,7 +199,7 @@ TEST(ContactUpdate, ImpulsesOfADeepOverlapAreMatchedByFeatureOnly) {
     ASSERT_EQ(boxes.contact.manifold.count, 2);
     for (std::size_t i = 0; i < 2; ++i) {
         const bool isKnown = boxes.contact.manifold.points[i].feature == known;
-        EXPECT_EQ(boxes.contact.impulse[i].normal, isKnown ? 3 : 0);
+        EXPECT_EQ(boxes.lane.impulse(i), isKnown ? 3 : 0);
     }
 }
 
@@ -211,8 +216,9 @@ std::vector<Vec2> concentricNormals(int count) {
         add(Real(0.25), BodyType::Dynamic);
         bodies.record.back().crowdRank = static_cast<std::uint32_t>(i);
         Contact contact;
+        ContactBlock block{};
         contact.key = {0, 0, static_cast<std::uint32_t>(i), 0};
-        findContact(contact, bodies, kScale, Real(1) / 60);
+        findContact(contact, ContactLane(block), bodies, kScale, Real(1) / 60);
         EXPECT_EQ(contact.manifold.count, 1);
         const ManifoldPoint& point = contact.manifold.points[0];
         normals.push_back(contact.manifold.normal);

@@ -9,8 +9,8 @@ namespace {
 constexpr Tolerances kTolerances = Tolerances::forUnit(1);
 
 /// Two points with this separation and without impulses.
-Contact contactOf(Real separation) {
-    Contact contact;
+StoredContact contactOf(Real separation) {
+    StoredContact contact;
     contact.a = {3, 1};
     contact.b = {5, 1};
     contact.centerA = {10, 20};
@@ -21,12 +21,16 @@ Contact contactOf(Real separation) {
     contact.manifold.points[1].armA = {1, 0};
     contact.manifold.points[0].separation = separation;
     contact.manifold.points[1].separation = separation;
+    contact.numbers.separation = {separation, separation};
     return contact;
 }
 
-std::vector<CollisionRecord> recordsOf(Contact contact) {
+std::vector<CollisionRecord> recordsOf(StoredContact contact) {
     std::vector<CollisionRecord> records;
-    finishContact(contact, touches(contact, kTolerances));
+    ContactBlock block{};
+    const ContactLane lane(block);
+    lane = contact.numbers;
+    finishContact(contact, touches(contact, lane, kTolerances));
     recordContact(contact, records);
     return records;
 }
@@ -46,9 +50,9 @@ TEST(TouchPhase, AGapBelowTheSlopIsATouch) {
 
 // An impulse across a gap, by the speculative margin of the solver, is also a touch.
 TEST(TouchPhase, AnImpulseIsATouchAtAnyGap) {
-    Contact contact = contactOf(kTolerances.margin);
-    contact.impulse[1].largest = 2;
-    contact.total = 2;
+    StoredContact contact = contactOf(kTolerances.margin);
+    contact.numbers.impulse[1].largest = 2;
+    contact.numbers.total = 2;
     const auto records = recordsOf(contact);
     ASSERT_EQ(records.size(), 1u);
     EXPECT_EQ(records[0].maxImpulse, 2);
@@ -56,13 +60,13 @@ TEST(TouchPhase, AnImpulseIsATouchAtAnyGap) {
 }
 
 TEST(TouchPhase, ATouchAfterATouchPersists) {
-    Contact contact = contactOf(0);
+    StoredContact contact = contactOf(0);
     contact.wasTouching = true;
     EXPECT_EQ(recordsOf(contact).at(0).phase, TouchPhase::Persist);
 }
 
 TEST(TouchPhase, AGapAfterATouchEnds) {
-    Contact contact = contactOf(kTolerances.margin);
+    StoredContact contact = contactOf(kTolerances.margin);
     contact.wasTouching = true;
     const auto records = recordsOf(contact);
     ASSERT_EQ(records.size(), 1u);
@@ -73,9 +77,9 @@ TEST(TouchPhase, AGapAfterATouchEnds) {
 
 // F2: refined substeps store an upper bound of their largest impulse; the total is exact.
 TEST(TouchPhase, TheLargestImpulseIsAtMostTheTotal) {
-    Contact contact = contactOf(0);
-    contact.impulse[0].largest = 8;
-    contact.total = 4;
+    StoredContact contact = contactOf(0);
+    contact.numbers.impulse[0].largest = 8;
+    contact.numbers.total = 4;
     const auto records = recordsOf(contact);
     ASSERT_EQ(records.size(), 1u);
     EXPECT_EQ(records[0].maxImpulse, 4);
@@ -84,7 +88,7 @@ TEST(TouchPhase, TheLargestImpulseIsAtMostTheTotal) {
 
 // F2: the gap of a pair is that of its deepest point.
 TEST(TouchPhase, TheSeparationIsThatOfTheDeepestPoint) {
-    Contact contact = contactOf(0);
+    StoredContact contact = contactOf(0);
     contact.manifold.points[1].separation = Real(-0.125);
     const auto records = recordsOf(contact);
     ASSERT_EQ(records.size(), 1u);
@@ -94,10 +98,10 @@ TEST(TouchPhase, TheSeparationIsThatOfTheDeepestPoint) {
 
 // S2: the impact impulse counts as one of the groups, and in the total.
 TEST(TouchPhase, TheImpactCountsAmongTheImpulseGroups) {
-    Contact contact = contactOf(0);
-    contact.impulse[0] = {1, 5, 2}; // a substep, the impact, the largest substep
-    contact.impulse[1] = {1, 0, 3};
-    contact.total = 4;
+    StoredContact contact = contactOf(0);
+    contact.numbers.impulse[0] = {1, 5, 2}; // a substep, the impact, the largest substep
+    contact.numbers.impulse[1] = {1, 0, 3};
+    contact.numbers.total = 4;
     const auto records = recordsOf(contact);
     ASSERT_EQ(records.size(), 1u);
     EXPECT_EQ(records[0].maxImpulse, 5);

@@ -19,6 +19,8 @@ namespace {
 struct Crowd {
     Bodies bodies;
     std::vector<Contact> contacts;
+    std::vector<ContactSummary> summaries;
+    ContactBlocks blocks;
 
     Crowd(std::uint64_t seed, std::uint32_t count, std::size_t pairs) {
         support::RandomNumbers random(seed);
@@ -38,33 +40,66 @@ struct Crowd {
                 contact.key = {std::min(a, b), 0, std::max(a, b), 0};
                 contact.manifold.normal = random.rotation().xAxis();
                 contact.manifold.count = 1 + static_cast<int>(random.below(2));
-                contact.impulse[0].normal = static_cast<Real>(contacts.size());
-                contacts.push_back(contact);
+                add(contact, {});
+                lane(contacts.size() - 1).impulse(0) = static_cast<Real>(contacts.size() - 1);
             }
         }
     }
 
-    ContactPassArguments arrange(ContactBlocks& blocks) {
+    void add(const Contact& contact, const ContactNumbers& numbers) {
+        contacts.push_back(contact);
+        summaries.emplace_back().describe(contact, {});
+        blocks.resize(contacts.size());
+        blocks.waiting(static_cast<std::uint32_t>(contacts.size() - 1)) = numbers;
+    }
+    ContactList all() { return {contacts, summaries}; }
+    ContactLane lane(std::size_t i) {
+        return blocks.lane(static_cast<std::uint32_t>(i), summaries[i]);
+    }
+    ContactNumbers numbers(std::size_t i) { return lane(i).numbers(); }
+    /// Leaves the contacts with which(index); their lanes are freed in the next step.
+    template <typename Which>
+    void keepIf(Which which) {
+        std::vector<Contact> kept;
+        std::vector<ContactSummary> keptSummaries;
+        std::vector<ContactNumbers> keptNumbers;
+        for (std::size_t i = 0; i < contacts.size(); ++i) {
+            if (which(i)) {
+                kept.push_back(contacts[i]);
+                keptSummaries.push_back(summaries[i]);
+                keptNumbers.push_back(numbers(i));
+            }
+        }
+        contacts = kept;
+        summaries = keptSummaries;
+        blocks.resize(contacts.size());
+        for (std::size_t i = 0; i < contacts.size(); ++i) {
+            if (!summaries[i].inPasses()) {
+                blocks.waiting(static_cast<std::uint32_t>(i)) = keptNumbers[i];
+            }
+        }
+    }
+
+    ContactPassArguments arrange() {
         std::vector<std::uint32_t> newcomers;
         WorkerTeam serial;
-        blocks.carry(bodies, serial); // as a step does first
-        blocks.begin(bodies, contacts, true, true);
+        blocks.advance(bodies, serial); // as a step does first
+        blocks.begin(all(), true, true);
         for (std::uint32_t i = 0; i < contacts.size(); ++i) {
-            if (!blocks.take(bodies, contacts[i])) {
+            if (!blocks.take(bodies, all()[i])) {
                 newcomers.push_back(i);
             }
         }
-        blocks.arrange(bodies, contacts, newcomers, {}, 3);
+        blocks.arrange(bodies, all(), newcomers, {}, 3);
         return blocks.pass(bodies, 0, {});
     }
 };
 
 /// Checks that no body moves twice within a block or a colour, except one that all lanes of the
 /// block share. Checks that the lane masks mark exactly the dynamic bodies.
-void expectNoBodyTwice(const Crowd& crowd, const ContactBlocks& blocks,
-                       const ContactPassArguments& pass) {
+void expectNoBodyTwice(const Crowd& crowd, const ContactPassArguments& pass) {
     std::size_t i = 0;
-    for (const PassOrder::Colour& colour : blocks.passOrder().colours(0)) {
+    for (const PassOrder::Colour& colour : crowd.blocks.passOrder().colours(0)) {
         std::set<std::uint32_t> pushed;
         for (std::size_t k = 0; k < colour.count; ++k, ++i) {
             const ContactBlock& block = pass.blocks[pass.order[i]];
@@ -102,58 +137,75 @@ TEST(ContactBlocks, NoTwoContactsOfAColourMoveTheSameBody) {
     for (const auto& [count, pairs] : {std::pair{30u, 40u}, {300u, 900u}, {20u, 2000u}}) {
         SCOPED_TRACE(pairs);
         Crowd crowd(count + pairs, count, pairs);
-        ContactBlocks blocks;
-        expectNoBodyTwice(crowd, blocks, crowd.arrange(blocks));
-        EXPECT_EQ(blocks.size(), crowd.contacts.size());
+        expectNoBodyTwice(crowd, crowd.arrange());
+        EXPECT_EQ(crowd.blocks.size(), crowd.contacts.size());
     }
 }
 
 // If most lanes are empty, the lanes are assigned again, so that passes do not visit empty lanes.
 TEST(ContactBlocks, AreRebuiltWhenMostLanesAreEmpty) {
     Crowd crowd(23, 5000, 9000);
-    ContactBlocks blocks;
-    crowd.arrange(blocks);
-    std::vector<Contact> few;
-    for (std::size_t i = 0; i < crowd.contacts.size(); i += 10) {
-        blocks.writeBack(crowd.contacts[i], crowd.bodies);
-        few.push_back(crowd.contacts[i]);
+    crowd.arrange();
+    crowd.keepIf([](std::size_t i) { return i % 10 == 0; });
+    const std::size_t sparse = crowd.arrange().count;
+    const ContactPassArguments pass = crowd.arrange(); // rebuilds
+    const std::vector<Contact>& few = crowd.contacts;
+    expectNoBodyTwice(crowd, pass);
+    EXPECT_EQ(crowd.blocks.size(), few.size());
+    for (std::size_t i = 0; i < few.size(); ++i) {
+        EXPECT_EQ(crowd.numbers(i).impulse[0].normal > 0, i > 0) << i; // they keep their numbers
     }
-    crowd.contacts = few;
-    const std::size_t sparse = crowd.arrange(blocks).count;
-    const ContactPassArguments pass = crowd.arrange(blocks); // rebuilds
-    expectNoBodyTwice(crowd, blocks, pass);
-    EXPECT_EQ(blocks.size(), few.size());
     // 900 contacts in blocks of eight, and one partly filled block per colour.
     EXPECT_LT(pass.count, few.size() / 3);
     EXPECT_LT(pass.count, sparse / 2);
 }
 
-// Impulses return to the contact they came from.
-TEST(ContactBlocks, WriteEachImpulseBackToItsContact) {
+// A contact keeps its numbers when it gets a lane in the passes, and when it leaves them.
+TEST(ContactBlocks, LanesMoveTheNumbersOfAContact) {
     Crowd crowd(5, 200, 700);
-    ContactBlocks blocks;
-    crowd.arrange(blocks);
-    std::vector<Contact> after = crowd.contacts;
-    for (Contact& contact : after) {
-        contact.impulse = {};
+    for (std::size_t i = 0; i < crowd.contacts.size(); ++i) {
+        crowd.lane(i) = {.separation = {1, 2},
+                         .approachSpeed = 3,
+                         .relativeDisplacement = 4,
+                         .impulse = {PointImpulse{static_cast<Real>(i), 5, 6}, {7, 8, 9}},
+                         .friction = 10,
+                         .total = 11,
+                         .sliding = i % 2 == 0};
+        crowd.contacts[i].material = {.staticFriction = 1, .kineticFriction = 1};
     }
-    for (Contact& contact : after) {
-        blocks.writeBack(contact, crowd.bodies);
-    }
-    for (std::size_t i = 0; i < after.size(); ++i) {
-        EXPECT_EQ(after[i].impulse[0].normal, static_cast<Real>(i));
+    crowd.arrange();
+    const auto expectSame = [&](std::size_t i) {
+        SCOPED_TRACE(i);
+        const ContactNumbers numbers = crowd.numbers(i);
+        EXPECT_EQ(numbers.separation[0], 1);
+        EXPECT_EQ(numbers.approachSpeed, 3);
+        EXPECT_EQ(numbers.relativeDisplacement, 4);
+        EXPECT_EQ(numbers.impulse[0].normal, static_cast<Real>(i));
+        EXPECT_EQ(numbers.impulse[0].impact, 5);
+        EXPECT_EQ(numbers.impulse[1].normal, crowd.contacts[i].manifold.count == 2 ? 7 : 0);
+        EXPECT_EQ(numbers.friction, 10);
+        EXPECT_EQ(numbers.sliding, i % 2 == 0);
+    };
+    for (std::uint32_t i = 0; i < crowd.contacts.size(); ++i) {
+        EXPECT_TRUE(crowd.summaries[i].inPasses());
+        expectSame(i);
+        crowd.blocks.leave(crowd.all()[i]);
+        EXPECT_FALSE(crowd.summaries[i].inPasses());
+        expectSame(i);
     }
 }
 
-// Resident contacts, updated eight at a time, have the same bits as contacts updated one by one.
-TEST(ContactBlocks, CarryContactsWithTheBitsOfSingleUpdates) {
+// Contacts in the passes, updated eight at a time, have the same bits as contacts updated one by
+// one.
+TEST(ContactBlocks, AdvanceContactsWithTheBitsOfSingleUpdates) {
     const Tolerances tolerances = Tolerances::forUnit(1);
     std::size_t outdated = 0;
     for (const std::uint64_t seed : {3u, 14u, 15u}) {
         SCOPED_TRACE(seed);
         support::RandomNumbers random(seed);
         Crowd crowd(seed, 300, 900);
-        for (Contact& contact : crowd.contacts) {
+        for (std::size_t at = 0; at < crowd.contacts.size(); ++at) {
+            Contact& contact = crowd.contacts[at];
             for (ManifoldPoint& p : contact.manifold.points) {
                 p.separation = random.between(-0.01, 0.01);
                 p.armA = random.below(4) == 0 ? random.between(0.1, 0.5) * contact.manifold.normal
@@ -161,11 +213,15 @@ TEST(ContactBlocks, CarryContactsWithTheBitsOfSingleUpdates) {
                 p.armB = random.below(4) == 0 ? random.between(-0.5, -0.1) * contact.manifold.normal
                                               : random.point(0.5);
             }
-            contact.relativeDisplacement = random.between(0, 3) * tolerances.slop;
+            crowd.lane(at).setSeparations(contact.manifold);
+            crowd.lane(at).relativeDisplacement() = random.between(0, 3) * tolerances.slop;
             contact.bounces = random.below(2) == 0;
         }
-        ContactBlocks blocks;
-        crowd.arrange(blocks);
+        crowd.arrange();
+        std::vector<ContactNumbers> before;
+        for (std::size_t i = 0; i < crowd.contacts.size(); ++i) {
+            before.push_back(crowd.numbers(i));
+        }
         for (std::size_t i = 1; i < crowd.bodies.size(); i += 1 + random.below(2)) { // some still
             BodyVelocity& motion = crowd.bodies.motion[i];
             motion.velocity = random.point(1);
@@ -174,22 +230,23 @@ TEST(ContactBlocks, CarryContactsWithTheBitsOfSingleUpdates) {
             motion.deltaAngle = random.between(-0.002, 0.002);
         }
         WorkerTeam serial;
-        blocks.carry(crowd.bodies, serial);
-        for (const Contact& contact : crowd.contacts) {
-            Contact alone = contact;
-            alone.row.resident = false;
-            const bool stays = followContact(alone, crowd.bodies, tolerances, false);
-            Contact resident = contact;
-            blocks.evict(resident, crowd.bodies);
-            ASSERT_EQ(followContact(resident, crowd.bodies, tolerances, true), stays);
-            ASSERT_EQ(resident.relativeDisplacement, alone.relativeDisplacement);
+        crowd.blocks.advance(crowd.bodies, serial);
+        for (std::size_t k = 0; k < crowd.contacts.size(); ++k) {
+            Contact alone = crowd.contacts[k];
+            ContactBlock block{};
+            const ContactLane lane(block);
+            lane = before[k];
+            const bool stays = followContact(alone, lane, crowd.bodies, tolerances, false);
+            Contact together = crowd.contacts[k];
+            ASSERT_EQ(followContact(together, crowd.lane(k), crowd.bodies, tolerances, true),
+                      stays);
+            ASSERT_EQ(crowd.lane(k).relativeDisplacement(), lane.relativeDisplacement());
             outdated += stays ? 0 : 1;
-            for (int i = 0; stays && i < contact.manifold.count; ++i) {
+            for (int i = 0; stays && i < alone.manifold.count; ++i) {
                 const auto at = static_cast<std::size_t>(i);
-                ASSERT_EQ(resident.manifold.points[at].separation,
-                          alone.manifold.points[at].separation);
-                ASSERT_EQ(resident.approachSpeed, alone.approachSpeed);
-                ASSERT_FALSE(std::signbit(resident.approachSpeed)); // no negative zero
+                ASSERT_EQ(crowd.lane(k).separation(at), lane.separation(at));
+                ASSERT_EQ(crowd.lane(k).approachSpeed(), lane.approachSpeed());
+                ASSERT_FALSE(std::signbit(lane.approachSpeed())); // no negative zero
             }
         }
     }
@@ -197,7 +254,7 @@ TEST(ContactBlocks, CarryContactsWithTheBitsOfSingleUpdates) {
     EXPECT_LT(outdated, 2000u);
 }
 
-// A resident contact touches if one of its points is close enough or has an impulse.
+// A contact in the passes touches if one of its points is close enough or has an impulse.
 TEST(ContactBlocks, ReportTouchingContacts) {
     constexpr Real kSlop = Real(0.004);
     Crowd crowd(7, 200, 600);
@@ -206,30 +263,25 @@ TEST(ContactBlocks, ReportTouchingContacts) {
         manifold.points[0].separation = i % 3 == 0 ? kSlop : 2 * kSlop;
         manifold.points[1].separation =
             i % 3 == 1 ? -kSlop : 2 * kSlop; // with two points; unused with one
+        crowd.lane(i).setSeparations(manifold);
     }
-    ContactBlocks blocks;
-    const ContactPassArguments pass = crowd.arrange(blocks);
+    crowd.arrange();
     for (std::size_t i = 0; i < crowd.contacts.size(); i += 5) {
-        const std::uint32_t row = crowd.contacts[i].row.index;
-        pass.blocks[row / ContactBlock::kContacts]
-            .points[0]
-            .largest[row % ContactBlock::kContacts] = 1;
+        crowd.lane(i).largest(0) = 1;
     }
     WorkerTeam alone;
-    blocks.noteTouching(kSlop, alone);
+    crowd.blocks.findTouching(kSlop, alone);
     for (std::size_t i = 0; i < crowd.contacts.size(); ++i) {
         const bool near = i % 3 == 0 || (i % 3 == 1 && crowd.contacts[i].manifold.count == 2);
-        EXPECT_EQ(blocks.touched()[crowd.contacts[i].row.index] != 0, near || i % 5 == 0) << i;
+        EXPECT_EQ(crowd.blocks.touched()[crowd.summaries[i].row.index] != 0, near || i % 5 == 0)
+            << i;
     }
-    EXPECT_EQ(blocks.touched().back(), 0);
-    EXPECT_EQ(ContactBlocks().touched().back(), 0);
 }
 
 // Contacts with locked bodies come last, so that they dominate.
 TEST(ContactBlocks, ContactsWithLockedBodiesComeLast) {
     Crowd crowd(11, 100, 400);
-    ContactBlocks blocks;
-    const ContactPassArguments pass = crowd.arrange(blocks);
+    const ContactPassArguments pass = crowd.arrange();
     bool locked = false;
     for (std::size_t i = 0; i < pass.count; ++i) {
         EXPECT_GE(pass.use[pass.order[i]].onLocked, locked);
@@ -239,40 +291,37 @@ TEST(ContactBlocks, ContactsWithLockedBodiesComeLast) {
 }
 
 // Contacts are added and removed, bodies are locked and unlocked, lanes are rebuilt. The blocks
-// stay consistent, and carried contacts keep their colour.
+// stay consistent, and contacts that stay keep their colour.
 TEST(ContactBlocks, StayConsistentAsContactsComeAndGo) {
     Crowd all(17, 120, 900);
     support::RandomNumbers random(18);
     Crowd some = all;
-    ContactBlocks blocks;
     for (int step = 0; step < 200; ++step) {
         SCOPED_TRACE(step);
         const std::uint64_t chance = step % 50 < 40 ? 10 : 1; // of ten; sometimes few remain
-        std::erase_if(some.contacts,
-                      [&](const Contact&) { return random.below(10) >= chance && chance == 1; });
+        some.keepIf([&](std::size_t) { return random.below(10) < chance || chance != 1; });
         for (int i = 0; i < 20; ++i) {
             Contact contact = all.contacts[random.below(all.contacts.size())];
             contact.manifold.count = 1 + static_cast<int>(random.below(2));
-            some.contacts.push_back(contact);
+            some.add(contact, {});
         }
         const auto body = static_cast<std::uint32_t>(random.below(some.bodies.size()));
         some.bodies.filter[body].flags ^= kTypeKinematic;
         refreshDerived(some.bodies, body);
         std::vector<std::uint8_t> colours;
-        for (Contact& contact : some.contacts) {
+        for (std::size_t i = 0; i < some.contacts.size(); ++i) {
+            Contact& contact = some.contacts[i];
             const bool same = contact.key.bodyA != body && contact.key.bodyB != body;
-            contact.carried = contact.carried && same;
-            colours.push_back(contact.carried ? contact.row.colour : ContactRow::kNoColour);
+            contact.filled = contact.filled && same;
+            colours.push_back(contact.filled ? some.summaries[i].row.colour
+                                             : ContactRow::kNoColour);
         }
-        expectNoBodyTwice(some, blocks, some.arrange(blocks));
-        EXPECT_EQ(blocks.size(), some.contacts.size());
+        expectNoBodyTwice(some, some.arrange());
+        EXPECT_EQ(some.blocks.size(), some.contacts.size());
         for (std::size_t i = 0; i < some.contacts.size(); ++i) {
             if (colours[i] != ContactRow::kNoColour) {
-                EXPECT_EQ(some.contacts[i].row.colour, colours[i]);
+                EXPECT_EQ(some.summaries[i].row.colour, colours[i]);
             }
-        }
-        for (Contact& contact : some.contacts) {
-            blocks.writeBack(contact, some.bodies);
         }
     }
 }

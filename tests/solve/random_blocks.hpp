@@ -17,7 +17,6 @@ inline constexpr std::size_t kBlocks = 40;
 struct RandomBlocks {
     std::vector<BodyVelocity> motion;
     std::vector<Extent> extent;
-    std::vector<Carried> carried = std::vector<Carried>(kBlocks * kContacts);
     std::vector<ContactBlock> blocks = std::vector<ContactBlock>(kBlocks);
     std::vector<RollingBlock> rolling;
     std::vector<BlockUse> use = std::vector<BlockUse>(kBlocks);
@@ -82,7 +81,7 @@ struct RandomBlocks {
             RollingBlock& own = rolling[static_cast<std::size_t>(use[i].rolling)];
             own.lever[lane] = random.between(0, 0.1);
             own.mass[lane] = random.between(0.1, 2);
-            own.impulse[lane] = random.between(-0.1, 0.1);
+            block.rolling[lane] = random.between(-0.1, 0.1);
         }
     }
 
@@ -107,8 +106,8 @@ struct RandomBlocks {
             passes.relaxNormal(pass);
             passes.relax(pass);
         }
-        passes.carry({blocks.data(), carried.data(), use.data(), order.data(), kBlocks,
-                      motion.data(), extent.data()});
+        passes.advance(
+            {blocks.data(), use.data(), order.data(), kBlocks, motion.data(), extent.data()});
     }
 };
 

@@ -74,7 +74,7 @@ public:
         }
         push(tangent(), double(before_.friction[lane_]));
         if (rolling_ != nullptr) {
-            turn(double(rolling_->impulse[lane_]));
+            turn(double(before_.rolling[lane_]));
         }
     }
     void solve() {
@@ -197,7 +197,7 @@ private:
     }
     void roll() {
         if (rolling_ != nullptr) {
-            const double sum = double(rolling_->impulse[lane_]);
+            const double sum = double(before_.rolling[lane_]);
             const double most = double(rolling_->lever[lane_]) * pressed_;
             const double stop = sum - double(rolling_->mass[lane_]) * (b_.spin - a_.spin);
             turn(std::clamp(stop, -most, most) - sum);

@@ -27,20 +27,20 @@ void ContactSet::freeDetached() {
     }
 }
 
-void ContactSet::drop(std::uint32_t body, const WriteBack& writeBack) {
+void ContactSet::drop(std::uint32_t body, const Bodies& bodies) {
     store_.lists().forEach(body, [&](std::uint32_t slot) {
-        takeOut(contacts()[slot], writeBack);
-        noteEnd(contacts()[slot]);
+        addEnd(takeOut(slot, bodies));
         store_.detach(slot);
     });
     bodyChanged(body);
 }
 
 /// Must be called before a contact leaves the list between two steps: keeps its record.
-void ContactSet::takeOut(Contact& contact, const WriteBack& writeBack) {
-    writeBack(contact);
+StoredContact ContactSet::takeOut(std::uint32_t slot, const Bodies& bodies) {
+    StoredContact contact = store_.copyOf(slot, bodies);
     records_.keep(contact);
     contact.phase.reset();
+    return contact;
 }
 
 void ContactSet::touchedBy(std::uint32_t body, std::vector<std::uint32_t>& others) {
@@ -53,27 +53,20 @@ void ContactSet::touchedBy(std::uint32_t body, std::vector<std::uint32_t>& other
     });
 }
 
-void ContactSet::writeBack(std::uint32_t body, const WriteBack& writeBack) {
-    store_.lists().forEach(body, [&](std::uint32_t slot) {
-        writeBack(contacts()[slot]);
-        noteRow(slot);
-    });
-}
-
-void ContactSet::partRemoved(std::uint32_t body, std::size_t part) {
+void ContactSet::partRemoved(std::uint32_t body, std::size_t part, const Bodies& bodies) {
     store_.lists().forEach(body, [&](std::uint32_t slot) {
         Contact& contact = contacts()[slot];
         std::uint16_t& own = contact.key.bodyA == body ? contact.key.partA : contact.key.partB;
         if (own < part) {
             return;
         }
-        records_.keep(contact); // before its key changes
+        const StoredContact before = takeOut(slot, bodies); // before its key changes
         contact.phase.reset();
         if (own > part) {
             --own;
             return;
         }
-        noteEnd(contact);
+        addEnd(before);
         store_.detach(slot);
     });
     store_.partsChanged();
@@ -81,22 +74,22 @@ void ContactSet::partRemoved(std::uint32_t body, std::size_t part) {
 }
 
 /// Moves a contact between inactive bodies to idle_.
-void ContactSet::takeIdle(std::uint32_t slot, const WriteBack& writeBack) {
-    takeOut(contacts()[slot], writeBack);
-    idle_.push_back(contacts()[slot]);
-    Contact& taken = idle_.back();
+void ContactSet::takeIdle(std::uint32_t slot, const Bodies& bodies) {
+    StoredContact& taken = idle_.emplace_back(takeOut(slot, bodies));
     taken.row = {};
     if (taken.wasTouching) {
         touchCounts_.count(taken, false);
     }
     // Otherwise the step after putBack would report them again.
-    taken.approachSpeed = 0;
-    clearImpactImpulses(taken);
+    taken.numbers.approachSpeed = 0;
+    taken.numbers.total = 0;
+    for (PointImpulse& impulse : taken.numbers.impulse) {
+        impulse = {.normal = impulse.normal};
+    }
 }
 
-std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies,
-                                              std::span<const std::uint32_t> of,
-                                              const WriteBack& writeBack, Flags states) {
+std::span<const StoredContact>
+ContactSet::takeIdle(const Bodies& bodies, std::span<const std::uint32_t> of, Flags states) {
     const auto isIdle = [&](const ContactSummary& summary) {
         const Flags either =
             bodies.filter[summary.bodyA].flags | bodies.filter[summary.bodyB].flags;
@@ -107,7 +100,7 @@ std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies,
     for (const std::uint32_t body : of) {
         store_.lists().forEach(body, [&](std::uint32_t slot) {
             if (isIdle(summaries()[slot])) {
-                takeIdle(slot, writeBack);
+                takeIdle(slot, bodies);
                 store_.detach(slot);
             }
         });
@@ -118,20 +111,19 @@ std::span<const Contact> ContactSet::takeIdle(const Bodies& bodies,
     return idle_;
 }
 
-std::span<const Contact> ContactSet::takeArrivals(const Bodies& bodies,
-                                                  const WriteBack& writeBack) {
+std::span<const StoredContact> ContactSet::takeArrivals(const Bodies& bodies) {
     if (!allArrived_ && arrivals_.empty()) {
         return {};
     }
     if (std::exchange(allArrived_, false)) {
         arrivals_ = allOf(bodies);
     }
-    takeIdle(bodies, arrivals_, writeBack, kAsleep);
+    takeIdle(bodies, arrivals_, kAsleep);
     arrivals_.clear();
     return idle_;
 }
 
-void ContactSet::putBack(std::span<const Contact> returning, Bodies& bodies) {
+void ContactSet::putBack(std::span<const StoredContact> returning, Bodies& bodies) {
     freeDetached();
     const std::span<const std::uint32_t> slots = store_.putBack(returning, candidates_.bounds());
     for (const std::uint32_t slot : slots) {
@@ -187,7 +179,7 @@ void ContactSet::renewChanged(const Bodies& bodies, const Tolerances& tolerances
     store_.refreshPlaces();
 }
 
-void ContactSet::noteArrivals(std::span<const std::uint32_t> bodies) {
+void ContactSet::addArrivals(std::span<const std::uint32_t> bodies) {
     arrivals_.insert(arrivals_.end(), bodies.begin(), bodies.end());
     if (arrivals_.size() > candidates_.bounds().size()) {
         allArrived_ = true;
@@ -200,8 +192,8 @@ void ContactSet::applyChanges(const Bodies& bodies, const Tolerances& tolerances
     if (stale_ || pairsStale_) {
         allArrived_ = true;
     } else if (!changes_.empty() || !activityChanges_.empty()) {
-        noteArrivals(changes_);
-        noteArrivals(activityChanges_);
+        addArrivals(changes_);
+        addArrivals(activityChanges_);
     }
     if (std::exchange(stale_, false)) {
         renew(bodies, tolerances);

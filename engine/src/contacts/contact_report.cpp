@@ -19,17 +19,16 @@ CollisionRecord endOf(const Contact& contact) {
     return record;
 }
 
-bool touches(const Contact& contact, const Tolerances& tolerances) {
+bool touches(const Contact& contact, const ContactLane& lane, const Tolerances& tolerances) {
     if (contact.sensor) {
-        return contact.manifold.count > 0 && contact.manifold.points[0].separation <= 0;
+        return contact.manifold.count > 0 && lane.separation(0) <= 0;
     }
     if (!contact.near || contact.hidden) {
         return false;
     }
     for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
         // Impacts happen within the slop; other impulses also where the step closes the gap.
-        if (contact.impulse[i].largest > 0 ||
-            contact.manifold.points[i].separation <= tolerances.slop) {
+        if (lane.largest(i) > 0 || lane.separation(i) <= tolerances.slop) {
             return true;
         }
     }
@@ -47,7 +46,7 @@ void finishContact(Contact& contact, bool touches) {
     contact.wasTouching = contact.touching;
 }
 
-void recordContact(const Contact& contact, std::vector<CollisionRecord>& out) {
+void recordContact(const StoredContact& contact, std::vector<CollisionRecord>& out) {
     if (!contact.phase) {
         return;
     }
@@ -58,16 +57,17 @@ void recordContact(const Contact& contact, std::vector<CollisionRecord>& out) {
     record.phase = *contact.phase;
     record.pointCount = static_cast<std::uint8_t>(contact.manifold.count);
     record.separation = contact.manifold.points[0].separation;
-    record.approachSpeed = contact.approachSpeed;
-    record.totalImpulse = contact.total;
+    const ContactNumbers& numbers = contact.numbers;
+    record.approachSpeed = numbers.approachSpeed;
+    record.totalImpulse = numbers.total;
     for (std::size_t i = 0; i < record.pointCount; ++i) {
-        record.totalImpulse += contact.impulse[i].impact;
+        record.totalImpulse += numbers.impulse[i].impact;
     }
     Real impacts = 0;
     Real substeps = 0;
     Real most = 0;
     for (std::size_t i = 0; i < record.pointCount; ++i) {
-        const PointImpulse& impulse = contact.impulse[i];
+        const PointImpulse& impulse = numbers.impulse[i];
         RecordPoint& point = record.points[i];
         point.position = contact.centerA + contact.manifold.points[i].armA;
         point.separation = contact.manifold.points[i].separation;

@@ -6,23 +6,25 @@
 namespace kodo {
 inline namespace KODO_PRECISION {
 
-void ContactSet::noteEnd(const Contact& contact) {
+void ContactSet::addEnd(const StoredContact& contact) {
     if (contact.wasTouching) {
-        records_.noteEnd(contact);
+        records_.addEnd(contact);
         touchCounts_.count(contact, false);
     }
 }
 
 void ContactSet::forgetUnsound(const Bodies& bodies, const Tolerances& tolerances, Real dt) {
     visitAll();
-    for (std::size_t slot = 0; slot < store_.size(); ++slot) {
+    for (std::uint32_t slot = 0; slot < store_.size(); ++slot) {
         Contact& contact = contacts()[slot];
-        if (!isSound(contact)) {
-            clearContact(contact);
-            followContact(contact, bodies, tolerances, false);
-            findContact(contact, bodies, tolerances, dt);
-            kodo::measureApproach(contact, bodies);
-            noteManifold(slot);
+        if (!isSound(contact, store_.lane(slot))) {
+            store_.leavePasses(slot, bodies);
+            const ContactLane lane = store_.lane(slot);
+            clearContact(contact, lane);
+            followContact(contact, lane, bodies, tolerances, false);
+            findContact(contact, lane, bodies, tolerances, dt);
+            kodo::measureApproach(contact, lane, bodies);
+            manifoldChanged(slot);
         }
     }
 }
@@ -56,13 +58,7 @@ void ContactSet::refreshPairs(Bodies& bodies, const JointLists& joints, WorkerTe
         return;
     }
     if (store_.findChanges(candidates_, team)) {
-        store_.forEachRemoved([&](std::uint32_t slot) {
-            Contact& contact = contacts()[slot];
-            if (contact.row.resident) {
-                contact.centerA = bodies.start[contact.key.bodyA];
-            }
-            noteEnd(contact);
-        });
+        store_.forEachRemoved([&](std::uint32_t slot) { addEnd(store_.copyOf(slot, bodies)); });
         store_.merge(candidates_, bodies, team);
         changed();
     }

@@ -7,7 +7,6 @@
 #include "base/worker_team.hpp"
 #include "bodies/bodies.hpp"
 #include "contacts/candidate_pairs.hpp"
-#include "contacts/contact.hpp"
 #include "contacts/contact_store.hpp"
 #include "contacts/ghost_collisions.hpp"
 #include "contacts/line_side.hpp"
@@ -15,22 +14,15 @@
 #include "contacts/step_records.hpp"
 #include "contacts/touch_counts.hpp"
 
-#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "lanes/contact.hpp"
+
 namespace kodo {
 inline namespace KODO_PRECISION {
-
-/// Solver-side storage of the contacts that persist across steps.
-struct SolverStorage {
-    /// By row, for the poses at the start of the step; empty if no contact is resident.
-    std::span<const Carried> carried;
-    /// Writes the state of a resident contact back to it. Called from several threads.
-    const std::function<void(Contact&)>& evict;
-};
 
 /// All contacts of a World. A step updates the candidate pairs, the contacts in the store, their
 /// manifolds, and after the solver what touches; records are written from the store.
@@ -39,6 +31,8 @@ public:
     const CandidatePairs& candidates() const { return candidates_; }
     CandidatePairs& candidates() { return candidates_; }
     const ContactStore& store() const { return store_; }
+    ContactStore& store() { return store_; }
+    ContactBlocks& lanes() { return store_.lanes(); }
     std::span<Contact> contacts() { return store_.contacts(); }
     std::span<const Contact> contacts() const { return store_.contacts(); }
     std::span<const ContactSummary> summaries() const { return store_.summaries(); }
@@ -50,17 +44,12 @@ public:
     void bodyChanged(std::uint32_t body);
     /// The same for all bodies.
     void bodiesChanged() { stale_ = true; }
-    /// Removes the contacts of a body; calls writeBack(contact) before each removal. A contact that
-    /// touched gets an End in the next records.
-    void drop(std::uint32_t body, const WriteBack& writeBack);
+    /// Removes the contacts of a body. A contact that touched gets an End in the next records.
+    void drop(std::uint32_t body, const Bodies& bodies);
     /// The bodies that touched a body in the last step, awake; may contain duplicates.
     void touchedBy(std::uint32_t body, std::vector<std::uint32_t>& others);
-    /// Must be called before mass or geometry of a body change: none of its contacts is resident
-    /// afterwards.
-    void writeBack(std::uint32_t body, const WriteBack& writeBack);
-    /// Must be called before the removal of a part, after writeBack(); the index of each later part
-    /// falls by one.
-    void partRemoved(std::uint32_t body, std::size_t part);
+    /// Must be called before the removal of a part; the index of each later part falls by one.
+    void partRemoved(std::uint32_t body, std::size_t part, const Bodies& bodies);
     /// A body fell asleep or woke, an immovable body started or stopped, or a joint of the body
     /// began or ceased to forbid contacts.
     void activityChanged(std::uint32_t body) {
@@ -75,22 +64,22 @@ public:
         return stale_ || pairsStale_ ? std::nullopt : std::optional(std::span(activityChanges_));
     }
     /// Removes and returns the contacts `of` some bodies with none that is active in a step, in
-    /// order; calls writeBack(contact) before. `states`: only those whose bodies together have
-    /// exactly these of kAsleep and kOutside; 0: all. Valid until the next call.
-    std::span<const Contact> takeIdle(const Bodies& bodies, std::span<const std::uint32_t> of,
-                                      const WriteBack& writeBack, Flags states = 0);
+    /// order. `states`: only those whose bodies together have exactly these of kAsleep and
+    /// kOutside; 0: all. Valid until the next call.
+    std::span<const StoredContact> takeIdle(const Bodies& bodies, std::span<const std::uint32_t> of,
+                                            Flags states = 0);
     /// The same for the contacts of sleeping bodies with inactive ones that arrived, changed or
     /// stopped since the last call.
-    std::span<const Contact> takeArrivals(const Bodies& bodies, const WriteBack& writeBack);
+    std::span<const StoredContact> takeArrivals(const Bodies& bodies);
     /// These bodies began or ceased to be active within the step.
-    void noteArrivals(std::span<const std::uint32_t> bodies);
+    void addArrivals(std::span<const std::uint32_t> bodies);
     /// Sizes the arrays by body, so that no first use costs a step as much as all bodies.
     void makeRoom(const Bodies& bodies) {
         store_.makeRoom(bodies);
         ghostCollisions_.makeRoom(bodies);
     }
     /// Puts back contacts that takeIdle returned. A contact already in the list stays unchanged.
-    void putBack(std::span<const Contact> contacts, Bodies& bodies);
+    void putBack(std::span<const StoredContact> contacts, Bodies& bodies);
     /// Updates bounds and contacts after changes of bodies; does not search pairs.
     void applyChanges(const Bodies& bodies, const Tolerances& tolerances);
 
@@ -99,12 +88,10 @@ public:
     /// whose joint excludes a contact do not touch each other, whatever their flags are.
     void updatePairs(Bodies& bodies, const JointLists& joints, const Tolerances& tolerances,
                      Real dt, WorkerTeam& team);
-    /// Updates manifolds and approach speeds for a step of dt. Of a resident contact whose manifold
-    /// is kept, only the summary is updated.
-    void updateManifolds(const Bodies& bodies, const Tolerances& tolerances, Real dt,
-                         const SolverStorage& keeper, WorkerTeam& team);
+    /// Updates manifolds, separations and approach speeds for a step of dt. Contacts in the passes
+    /// whose manifold stays valid are not visited: their lanes are advanced together.
+    void updateManifolds(Bodies& bodies, const Tolerances& tolerances, Real dt, WorkerTeam& team);
     /// Measures the approach speeds of a body's contacts again, after its velocity has changed.
-    /// None of them may be resident.
     void measureApproach(const Bodies& bodies, std::uint32_t body);
     /// m/s, upper bound of the approach speeds; exact after updateManifolds.
     Real fastestApproach() const { return fastestApproach_; }
@@ -115,43 +102,43 @@ public:
     bool mayHaveSensors() const { return anySensors_ != 0 || contactsChanged_; }
     /// False if no contact has restitution.
     bool mayBounce() const { return anyBounces_ != 0 || contactsChanged_; }
-    /// After the solver assigned or released a row, or evicted the contact. On any thread.
-    void noteRow(std::uint32_t slot) { store_.summaries()[slot].noteRow(store_.contacts()[slot]); }
-    void noteContact(std::uint32_t slot) { store_.summaries()[slot].note(store_.contacts()[slot]); }
-    /// Marks every contact as not idle for this step, for a solver that finds manifolds itself.
+    /// Marks every contact as not idle for this step.
     void visitAll();
-    /// Updates the summaries after such a solver.
-    void noteManifolds();
+    /// Before a solver that finds manifolds itself: all contacts leave the passes.
+    void leavePasses(const Bodies& bodies);
+    /// The manifold of a contact was replaced, and its approach speed measured.
+    void manifoldChanged(std::uint32_t slot);
+    /// Assigns the lanes of the passes anew; see ContactBlocks::rebuildGraph.
+    void rebuildLanes(const Bodies& bodies, std::uint32_t partitions) {
+        lanes().rebuildGraph(bodies, store_.all(), store_.slotsInOrder(), partitions);
+    }
     /// Adds the pairs of bodies that the solver moved farther than updatePairs predicted.
     void coverDisplacements(Bodies& bodies, const JointLists& joints, const Tolerances& tolerances,
                             WorkerTeam& team);
     /// Resets contacts whose impulses or positions are not finite, and finds their manifolds again.
     void forgetUnsound(const Bodies& bodies, const Tolerances& tolerances, Real dt);
-    /// Determines begin, persist and end of each contact. `touched` says by row whether the contact
-    /// touched; its last element, for contacts without a row, is false. Contacts whose state does
-    /// not change are not visited.
-    void finishStepOfContacts(std::span<const std::uint8_t> touched, const Tolerances& tolerances,
-                              WorkerTeam& team);
+    /// Determines begin, persist and end of each contact. Contacts whose state does not change are
+    /// not visited.
+    void finishStepOfContacts(const Tolerances& tolerances, WorkerTeam& team);
     void finishStep(bool wantRecords) { records_.finish(wantRecords); }
 
     /// Records of the last step. Reading them does not change the contacts.
     StepRecords& records() const { return records_; }
-    StepRecords::Source recordSource(WriteBack writeBack) const {
-        return {store_, fastestApproach_, std::move(writeBack)};
+    StepRecords::Source recordSource(const Bodies& bodies) const {
+        return {store_, bodies, fastestApproach_};
     }
     void visitState(StateStream& stream, const Bodies& bodies, const Tolerances& tolerances);
 
 private:
     void freeDetached();
-    void takeIdle(std::uint32_t slot, const WriteBack& writeBack);
-    void takeOut(Contact& contact, const WriteBack& writeBack);
-    void noteEnd(const Contact& contact);
+    void takeIdle(std::uint32_t slot, const Bodies& bodies);
+    StoredContact takeOut(std::uint32_t slot, const Bodies& bodies);
+    void addEnd(const StoredContact& contact);
     void renew(const Bodies& bodies, const Tolerances& tolerances);
     void renewChanged(const Bodies& bodies, const Tolerances& tolerances);
     void refreshPairs(Bodies& bodies, const JointLists& joints, WorkerTeam& team);
     void changed();
-    void noteKinds(const Bodies& bodies, WorkerTeam& team);
-    void noteManifold(std::size_t slot);
+    void findKinds(const Bodies& bodies, WorkerTeam& team);
     void finishContact(std::uint32_t slot, bool touchesInRow, const Tolerances& tolerances,
                        const WorkerTeam& team, std::vector<std::uint32_t>& toggled);
 
@@ -165,7 +152,7 @@ private:
     std::vector<std::uint32_t> live_;
     ParallelCollector<std::uint32_t> found_;
     std::vector<std::uint32_t> onGround_;                  // slots: argument of ghostCollisions_
-    std::vector<Contact> idle_;                            // result of takeIdle
+    std::vector<StoredContact> idle_;                      // result of takeIdle
     std::vector<std::uint32_t> changes_, activityChanges_; // bodies
     std::vector<std::uint32_t> arrivals_;  // bodies with a change since the last takeArrivals
     std::vector<std::uint8_t> hasChanged_; // by body: 1 if in changes_
@@ -173,7 +160,7 @@ private:
     bool stale_ = true, pairsStale_ = true, liveStale_ = true;
     bool allArrived_ = true;      // instead of arrivals_
     bool contactsChanged_ = true; // in number or slot, or a body became immovable or movable
-    std::uint8_t anySensors_ = 0, anyBounces_ = 0; // 0 or 1, from the last noteKinds
+    std::uint8_t anySensors_ = 0, anyBounces_ = 0; // 0 or 1, from the last findKinds
 };
 
 } // namespace KODO_PRECISION

@@ -14,18 +14,19 @@ namespace {
 
 /// False if a number of the contact is larger than any of a World, or not a number. Products of
 /// two such lengths and speeds are finite.
-bool isBounded(const Contact& contact) {
+bool isBounded(const StoredContact& contact) {
+    const ContactNumbers& numbers = contact.numbers;
     constexpr Real kMost = Real(1e15); // m or m/s
     const auto small = [](Real number, Real most) { return std::abs(number) <= most; };
     const auto near = [&](Vec2 v, Real most) { return small(v.x, most) && small(v.y, most); };
     const Manifold& manifold = contact.manifold;
     bool good = near(contact.centerA, kMost) && near(manifold.normal, 2) &&
-                small(contact.approachSpeed, kMost) && contact.relativeDisplacement >= 0;
+                small(numbers.approachSpeed, kMost) && numbers.relativeDisplacement >= 0;
     for (const ManifoldPoint& p : manifold.points) {
         good = good && near(p.armA, kMost) && near(p.armB, kMost) && small(p.separation, kMost);
     }
-    for (const Real impulse : {contact.impulse[0].normal, contact.impulse[1].normal,
-                               contact.friction, contact.rolling, contact.total}) {
+    for (const Real impulse : {numbers.impulse[0].normal, numbers.impulse[1].normal,
+                               numbers.friction, numbers.rolling, numbers.total}) {
         good = good && small(impulse, kMaxMass * kMost);
     }
     return good;
@@ -57,21 +58,24 @@ void checkRecord(const CollisionRecord& record) {
 
 /// The row in the solver does not affect results.
 void ContactRow::visitState(StateStream& stream) {
-    auto& [row, ownColour, ownFixedA, ownFixedB, isResident] = *this;
+    auto& [row, ownColour, ownFixedA, ownFixedB] = *this;
     stream(ownColour, ownFixedA, ownFixedB);
     require(ownColour < 64 || ownColour == kNoColour, "the colour of a contact is unknown");
 }
 
-void Contact::visitState(StateStream& stream) {
-    static_assert(countMembers<Contact>() == 25, "list a new member, or leave it out");
-    // Left out: the phase is part of the records, the others follow from the bodies.
+void StoredContact::visitState(StateStream& stream) {
+    static_assert(countMembers<Contact>() == 16, "list a new member, or leave it out");
+    // Left out: the phase is part of the records, separations are in the manifold, the others
+    // follow from the bodies.
+    auto& [separation, approachSpeed, relativeDisplacement, impulse, friction, rolling, total,
+           sliding] = numbers;
     stream(key, centerA, manifold, teleportCounts, relativeDisplacement, impulse, row, friction,
            rolling, approachSpeed, total);
-    stream(near, carried, sliding, passing, hidden, touching, wasTouching);
+    stream(near, filled, sliding, passing, hidden, touching, wasTouching);
     if (stream.reads()) {
         require(manifold.count >= 0 && manifold.count <= 2, "a contact has more than two points");
         require(isBounded(*this), "a number of a contact is too large, or not a number");
-        hasStepImpulses = true; // conservative
+        separation = separationsOf(manifold);
     }
 }
 
@@ -132,15 +136,17 @@ void CandidatePairs::visitState(StateStream& stream, const Bodies& bodies) {
 }
 
 void ContactStore::visitState(StateStream& stream, const Bodies& bodies, const PartBounds& bounds) {
-    auto& [contacts, summaries, order, newOrder, lists, gone, changes, changesFound, holes, added,
-           addedIsDeep, movedTo, slots, reorderPolicy, placesStale] = *this;
-    stream(contacts, reorderPolicy);
+    auto& [contacts, summaries, lanes, order, newOrder, lists, gone, changes, changesFound, holes,
+           added, addedIsDeep, movedTo, slots, reorderPolicy, placesStale] = *this;
+    std::vector<StoredContact> stored = copies(bodies);
+    stream(stored, reorderPolicy);
     if (!stream.reads()) {
         return;
     }
-    for (Contact& contact : contacts) {
+    for (StoredContact& contact : stored) {
         completeContact(contact, bodies);
     }
+    assign(stored);
     this->order(bounds);
     const auto before = [&all = contacts_](const Place& a, const Place& b) {
         return all[a.slot].key < all[b.slot].key;
@@ -156,7 +162,7 @@ void ContactSet::visitState(StateStream& stream, const Bodies& bodies,
            stale, pairsStale, liveStale, allArrived, contactsChanged, anySensors, anyBounces] =
         *this;
     if (!stream.reads()) {
-        records.all(recordSource([](Contact&) {})); // none is resident
+        records.all(recordSource(bodies));
         applyChanges(bodies, tolerances);
         if (candidates.compact()) {
             store.renewPlaces(candidates.bounds());

@@ -101,8 +101,7 @@ void ContactStore::fillHoles() {
         if (lists_.isValid()) {
             lists_.move(static_cast<std::uint32_t>(slot), holes_[hole], moved.bodyA, moved.bodyB);
         }
-        summaries_[holes_[hole]] = moved;
-        contacts_[holes_[hole++]] = contacts_[slot];
+        moveContact(static_cast<std::uint32_t>(slot), holes_[hole++]);
     }
     reorderPolicy_.strayed += hole;
     for (Place& place : order_) {
@@ -112,6 +111,7 @@ void ContactStore::fillHoles() {
     }
     contacts_.resize(kept);
     summaries_.resize(kept);
+    lanes_.resize(kept);
 }
 
 void ContactStore::renumber(std::vector<std::uint32_t>& slots) const {
@@ -213,6 +213,7 @@ void ContactStore::addContacts(const CandidatePairs& candidates, Bodies& bodies,
     }
     contacts_.resize(slots);
     summaries_.resize(slots);
+    lanes_.resize(slots);
     const PartBounds& bounds = candidates.bounds();
     addedIsDeep_.reserve(added_.capacity());
     addedIsDeep_.resize(added_.size());
@@ -223,7 +224,9 @@ void ContactStore::addContacts(const CandidatePairs& candidates, Bodies& bodies,
             const PartBounds::Part& b = bounds.part(pair.second);
             contacts_[slot].key = {a.body, a.part, b.body, b.part};
             describeContact(contacts_[slot], bodies);
-            summaries_[slot] = ContactSummary::of(contacts_[slot], pair);
+            summaries_[slot] = {};
+            summaries_[slot].describe(contacts_[slot], pair);
+            lanes_.waiting(slot) = ContactNumbers{};
             addedIsDeep_[i] = isDeep(contacts_[slot], bodies) ? 1 : 0;
         }
     });
@@ -242,7 +245,7 @@ void ContactStore::addContacts(const CandidatePairs& candidates, Bodies& bodies,
     }
 }
 
-std::span<const std::uint32_t> ContactStore::putBack(std::span<const Contact> contacts,
+std::span<const std::uint32_t> ContactStore::putBack(std::span<const StoredContact> contacts,
                                                      const PartBounds& bounds) {
     const auto keyOf = [&](const Place& place) { return contacts_[place.slot].key; };
     slots_.resize(contacts.size());
@@ -253,7 +256,7 @@ std::span<const std::uint32_t> ContactStore::putBack(std::span<const Contact> co
     changes_.clear();
     auto place = order_.begin();
     for (std::size_t i = 0; i < slots_.size(); ++i) {
-        const Contact& contact = contacts[slots_[i]];
+        const StoredContact& contact = contacts[slots_[i]];
         if (i > 0 && contacts[slots_[i - 1]].key == contact.key) {
             continue;
         }
@@ -275,10 +278,13 @@ std::span<const std::uint32_t> ContactStore::putBack(std::span<const Contact> co
 }
 
 /// Puts a contact into a new slot, without a place in order_.
-std::uint32_t ContactStore::append(const Contact& contact, const PartBounds& bounds) {
+std::uint32_t ContactStore::append(const StoredContact& contact, const PartBounds& bounds) {
     const auto slot = static_cast<std::uint32_t>(contacts_.size());
     contacts_.push_back(contact);
     summaries_.emplace_back();
+    summaries_.back().wasTouching = contact.wasTouching;
+    lanes_.resize(contacts_.size());
+    lanes_.waiting(slot) = contact.numbers;
     renewSummary(slot, bounds);
     if (lists_.isValid()) {
         lists_.add(slot, contact.key.bodyA, contact.key.bodyB);
@@ -303,32 +309,6 @@ void ContactStore::insertAppended() {
     }
     newOrder_.insert(newOrder_.end(), next, order_.end());
     std::swap(order_, newOrder_);
-}
-
-/// Follows each cycle of the permutation with one contact as temporary.
-bool ContactStore::sort() {
-    reorderPolicy_ = {};
-    bool moved = false;
-    for (std::uint32_t start = 0; start < order_.size(); ++start) {
-        if (order_[start].slot == start) {
-            continue;
-        }
-        moved = true;
-        lists_.forget();
-        const Contact contact = contacts_[start];
-        const ContactSummary summary = summaries_[start];
-        std::uint32_t to = start;
-        for (std::uint32_t from = order_[to].slot; from != start; from = order_[to].slot) {
-            contacts_[to] = contacts_[from];
-            summaries_[to] = summaries_[from];
-            order_[to].slot = to;
-            to = from;
-        }
-        contacts_[to] = contact;
-        summaries_[to] = summary;
-        order_[to].slot = to;
-    }
-    return moved;
 }
 
 void ContactStore::order(const PartBounds& bounds) {
@@ -367,16 +347,11 @@ void ContactStore::renewPlaces(const PartBounds& bounds) {
 }
 
 void ContactStore::renewSummary(std::uint32_t slot, const PartBounds& bounds) {
-    const Contact& contact = contacts_[slot];
-    const auto& [bodyA, partA, bodyB, partB] = contact.key;
-    const ContactSummary before = summaries_[slot];
+    const auto& [bodyA, partA, bodyB, partB] = contacts_[slot].key;
     ContactSummary& summary = summaries_[slot];
-    summary =
-        ContactSummary::of(contact, {bounds.indexOf(bodyA, partA), bounds.indexOf(bodyB, partB)});
-    if (contact.row.resident) { // the contact itself is out of date
-        summary.approachSpeed = before.approachSpeed;
-        summary.separation = before.separation;
-    }
+    summary.describe(contacts_[slot], {bounds.indexOf(bodyA, partA), bounds.indexOf(bodyB, partB)});
+    summary.idle = summary.steady = false;
+    summary.kept = summary.kept && contacts_[slot].responds();
 }
 
 void ContactStore::renumberBounds(const PartBounds& bounds) {

@@ -4,11 +4,12 @@
 #include "base/reorder_policy.hpp"
 #include "base/worker_team.hpp"
 #include "contacts/candidate_pairs.hpp"
-#include "contacts/contact.hpp"
 #include "contacts/contact_lists.hpp"
 
 #include <span>
 #include <vector>
+
+#include "lanes/contact_blocks.hpp"
 
 namespace kodo {
 inline namespace KODO_PRECISION {
@@ -23,6 +24,32 @@ public:
     std::span<const Contact> contacts() const { return contacts_; }
     std::span<ContactSummary> summaries() { return summaries_; }
     std::span<const ContactSummary> summaries() const { return summaries_; }
+    ContactEntry entry(std::uint32_t slot) { return {contacts_[slot], summaries_[slot], slot}; }
+    ContactList all() { return {contacts_, summaries_}; }
+    ContactBlocks& lanes() { return lanes_; }
+    const ContactBlocks& lanes() const { return lanes_; }
+    /// The home of the numbers of a contact.
+    ContactLane lane(std::uint32_t slot) { return lanes_.lane(slot, summaries_[slot]); }
+    /// m, of the first point.
+    Real separation(std::uint32_t slot) const { return lanes_.separation(slot, summaries_[slot]); }
+    Real approachSpeed(std::uint32_t slot) const {
+        return lanes_.approachSpeed(slot, summaries_[slot]);
+    }
+    ContactNumbers numbers(std::uint32_t slot) const {
+        return lanes_.numbers(slot, summaries_[slot]);
+    }
+    /// Copy of a contact with its numbers, and with separations and centerA up to date.
+    StoredContact copyOf(std::uint32_t slot, const Bodies& bodies) const;
+    /// Copies of all, in the order of keys.
+    std::vector<StoredContact> copies(const Bodies& bodies) const;
+    /// Must be called before a change of a contact within a step: the next step visits it.
+    Contact& change(std::uint32_t slot, const Bodies& bodies);
+    /// Takes a contact out of the passes.
+    void leavePasses(std::uint32_t slot, const Bodies& bodies);
+    /// Lists all slots in the order of keys.
+    std::span<const std::uint32_t> slotsInOrder();
+    /// Replaces all contacts by those of a snapshot; order() must follow.
+    void assign(std::span<const StoredContact> contacts);
     /// Calls visit(slot) for all contacts in the order of their keys. Results may depend on this
     /// order, but not on that of the slots: other islands change it.
     template <typename Visit>
@@ -67,7 +94,7 @@ public:
     /// Adds and removes what findChanges() found.
     void merge(const CandidatePairs& candidates, Bodies& bodies, WorkerTeam& team);
     /// Adds contacts that are not in the store, and returns their slots. Valid until the next call.
-    std::span<const std::uint32_t> putBack(std::span<const Contact> contacts,
+    std::span<const std::uint32_t> putBack(std::span<const StoredContact> contacts,
                                            const PartBounds& bounds);
 
     /// Counts a step. True if the contacts should be sorted.
@@ -81,7 +108,7 @@ public:
     void describe(const Bodies& bodies, const PartBounds& bounds);
     /// The same for the contacts of one body.
     void describe(std::uint32_t body, const Bodies& bodies, const PartBounds& bounds);
-    /// Copies all contacts to their summaries, and finds the indices of their bounds.
+    /// Describes all contacts in their summaries, and finds the indices of their bounds.
     void renewPlaces(const PartBounds& bounds);
     /// The indices of bounds have changed: see PartBounds::indexNow. refreshPlaces() must follow.
     void renumberBounds(const PartBounds& bounds);
@@ -108,12 +135,14 @@ private:
     void findChanges(const CandidatePairs& candidates, WorkerTeam& team, IsBefore isBefore);
     void fillHoles();
     void addContacts(const CandidatePairs& candidates, Bodies& bodies, WorkerTeam& team);
-    std::uint32_t append(const Contact& contact, const PartBounds& bounds);
+    std::uint32_t append(const StoredContact& contact, const PartBounds& bounds);
     void insertAppended();
+    void moveContact(std::uint32_t from, std::uint32_t to);
     void renewSummary(std::uint32_t slot, const PartBounds& bounds);
 
     std::vector<Contact> contacts_;
     std::vector<ContactSummary> summaries_;
+    ContactBlocks lanes_;
     std::vector<Place> order_;        // of the contacts, by key
     std::vector<Place> newOrder_;     // scratch: merging allocates nothing
     mutable ContactLists lists_;      // by body; see lists()
@@ -124,7 +153,7 @@ private:
     std::vector<std::uint32_t> holes_, added_;
     std::vector<std::uint8_t> addedIsDeep_; // by index in added_: see BodyRecord::crowdRank
     std::vector<std::uint32_t> movedTo_;    // by slot beyond the end, of the last fillHoles
-    std::vector<std::uint32_t> slots_;      // scratch and result of putBack
+    std::vector<std::uint32_t> slots_;      // scratch and result of putBack and slotsInOrder
     ReorderPolicy reorderPolicy_;
     bool placesStale_ = false; // pairs of bounds in order_
 };

@@ -73,26 +73,26 @@ void matchPlaces(const Manifold& manifold, const Manifold& old, Real near,
 }
 
 /// Replaces the manifold. Matched points within `near` (m) take over the impulses of the old ones.
-void replaceManifold(Contact& contact, const Manifold& manifold, Real near) {
+void replaceManifold(Contact& contact, const ContactLane& lane, const Manifold& manifold,
+                     Real near) {
     const Manifold& old = contact.manifold;
+    lane.setSeparations(manifold);
     if (old.count == 0 && manifold.count == 0) {
         contact.manifold = manifold;
         return;
     }
     std::array<int, 2> former = matchFeatures(manifold, old);
     matchPlaces(manifold, old, near, former);
-    std::array<PointImpulse, 2> impulse{};
-    for (std::size_t i = 0; i < impulse.size(); ++i) {
-        if (former[i] != kNoPoint) {
-            impulse[i].normal = contact.impulse[static_cast<std::size_t>(former[i])].normal;
-        }
+    const std::array<Real, 2> before{lane.impulse(0), lane.impulse(1)};
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        lane.impulse(i) =
+            former[i] == kNoPoint ? Real(0) : before[static_cast<std::size_t>(former[i])];
+        lane.impact(i) = lane.largest(i) = 0;
     }
-    contact.impulse = impulse;
     contact.manifold = manifold;
     if (manifold.count == 0) {
-        contact.sliding = false;
-        contact.friction = 0;
-        contact.rolling = 0;
+        lane.stopSliding();
+        lane.friction() = lane.rolling() = 0;
     }
 }
 
@@ -104,51 +104,53 @@ constexpr Real kKept = 8;
 constexpr Real kKeptToBounce = Real(1) / 8;
 constexpr Real kKeptIfThin = 1;
 
-/// Adds the relative displacement of the last step. False if a body was teleported: the sum is then
-/// meaningless.
-bool addDisplacement(const Bodies& bodies, Contact& contact) {
+/// Adds the relative displacement of the last step.
+void addDisplacement(const Bodies& bodies, const Contact& contact, const ContactLane& lane) {
     const std::uint32_t a = contact.key.bodyA;
     const std::uint32_t b = contact.key.bodyB;
     const BodyVelocity& motionA = bodies.motion[a];
     const BodyVelocity& motionB = bodies.motion[b];
     const Vec2 between = motionB.deltaPosition - motionA.deltaPosition;
-    contact.relativeDisplacement += std::abs(between.x) + std::abs(between.y) +
-                                    std::abs(motionA.deltaAngle) * bodies.extent[a].rotationReach +
-                                    std::abs(motionB.deltaAngle) * bodies.extent[b].rotationReach;
-    return contact.teleportCounts[0] == bodies.teleportCount[a] &&
-           contact.teleportCounts[1] == bodies.teleportCount[b];
+    lane.relativeDisplacement() += std::abs(between.x) + std::abs(between.y) +
+                                   std::abs(motionA.deltaAngle) * bodies.extent[a].rotationReach +
+                                   std::abs(motionB.deltaAngle) * bodies.extent[b].rotationReach;
+}
+
+/// False if a body was teleported: the relative displacement is then meaningless.
+bool isKnown(const Bodies& bodies, const Contact& contact) {
+    return contact.teleportCounts[0] == bodies.teleportCount[contact.key.bodyA] &&
+           contact.teleportCounts[1] == bodies.teleportCount[contact.key.bodyB];
 }
 
 /// True if two separated parts have not moved far enough to be within the margin.
-bool staysApart(const Contact& contact, const Tolerances& tolerances) {
+bool staysApart(const Contact& contact, const ContactLane& lane, const Tolerances& tolerances) {
     const Manifold& manifold = contact.manifold;
     return manifold.count == 0 &&
-           contact.relativeDisplacement < manifold.points[0].separation - tolerances.margin;
+           lane.relativeDisplacement() < manifold.points[0].separation - tolerances.margin;
 }
 
 /// Updates the separations of a manifold, to first order in the rotation. The manifold is kept
 /// while the relative displacement of its bodies is small. A circle that rotates about its centre
 /// has no lever, so its rotation changes no separation. In a pile this saves most collision tests,
 /// also while the pile moves as a whole, and fixed contact points stabilise it. Measures the
-/// approach speed with the same levers. False if the manifold must be found again.
-bool carry(const Bodies& bodies, Contact& contact, const Tolerances& tolerances) {
+/// approach speed with the same levers. advanceLanes() does the same for contacts in the passes.
+void advanceContact(const Bodies& bodies, const Contact& contact, const ContactLane& lane) {
+    addDisplacement(bodies, contact, lane);
     const BodyVelocity& motionA = bodies.motion[contact.key.bodyA];
     const BodyVelocity& motionB = bodies.motion[contact.key.bodyB];
     const Vec2 n = contact.manifold.normal;
     const Real moved = dot(n, motionB.deltaPosition - motionA.deltaPosition);
     const Real speed = dot(n, motionB.velocity - motionA.velocity);
-    contact.approachSpeed = 0;
+    lane.approachSpeed() = 0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
-        ManifoldPoint& p = contact.manifold.points[i];
+        const ManifoldPoint& p = contact.manifold.points[i];
         const Real leverA = leverOf(p.armA, n);
         const Real leverB = leverOf(p.armB, n);
-        p.separation += moved + (leverB * motionB.deltaAngle - leverA * motionA.deltaAngle);
+        lane.separation(i) += moved + (leverB * motionB.deltaAngle - leverA * motionA.deltaAngle);
         const Real apart =
             speed + (leverB * motionB.angularVelocity - leverA * motionA.angularVelocity);
-        contact.approachSpeed = std::max(contact.approachSpeed, -apart);
+        lane.approachSpeed() = std::max(lane.approachSpeed(), -apart);
     }
-    return contact.carried &&
-           !isOutdated(contact.relativeDisplacement, contact.bounces, tolerances);
 }
 
 /// Gives concentric circles a normal of their own. They have none, and several circles on one point
@@ -198,14 +200,12 @@ Vec2 spreadOf(const Bodies& bodies, const ContactKey& key, Real slop) {
 }
 
 /// Resets the fields that belong to one step.
-void beginStep(Contact& contact) {
+void beginStep(Contact& contact, const ContactLane& lane) {
     contact.hidden = false;
     if (contact.sensor) {
         contact.touching = false;
     }
-    if (contact.hasStepImpulses) {
-        clearImpactImpulses(contact);
-    }
+    lane.clearStep();
 }
 
 /// Distance (m) along one-sided lines within which the pair may come in this step.
@@ -223,8 +223,7 @@ void keepSide(Manifold& manifold, const Contact& contact, const Bodies& bodies,
     const ContactKey& key = contact.key;
     const Manifold& old = contact.manifold;
     if (manifold.count == 0 || old.count == 0 || !(dot(manifold.normal, old.normal) < 0) ||
-        contact.teleportCounts[0] != bodies.teleportCount[key.bodyA] ||
-        contact.teleportCounts[1] != bodies.teleportCount[key.bodyB]) {
+        !isKnown(bodies, contact)) {
         return;
     }
     const ConvexShape& shapeA = bodies.convex(key.bodyA, key.partA);
@@ -252,7 +251,9 @@ void keepSide(Manifold& manifold, const Contact& contact, const Bodies& bodies,
 
 } // namespace
 
-void findContact(Contact& contact, const Bodies& bodies, const Tolerances& tolerances, Real dt) {
+void findContact(Contact& contact, const ContactLane& lane, const Bodies& bodies,
+                 const Tolerances& tolerances, Real dt) {
+    lane.updateSeparations(contact.manifold); // the side of a line follows from them
     const ContactKey& key = contact.key;
     // m; keeps the reference face of parallel faces constant despite rounding.
     const Real preference = tolerances.slop / 8;
@@ -281,33 +282,24 @@ void findContact(Contact& contact, const Bodies& bodies, const Tolerances& toler
     const auto [thinner, thicker] = std::minmax(bodies.convex(key.bodyA, key.partA).coreRadius,
                                                 bodies.convex(key.bodyB, key.partB).coreRadius);
     const Real free = removePassingPoints(manifold, contact, bodies, tolerances, dt);
-    replaceManifold(contact, manifold,
+    replaceManifold(contact, lane, manifold,
                     std::min(kSamePlace * tolerances.slop, kSameShare * thinner));
     const bool thin = thicker < tolerances.slop;
     const Real kept = (thin ? kKeptIfThin : kKept) * tolerances.slop;
-    contact.relativeDisplacement = kKept * tolerances.slop - std::min(kept, free);
+    lane.relativeDisplacement() = kKept * tolerances.slop - std::min(kept, free);
     contact.teleportCounts[0] = bodies.teleportCount[key.bodyA];
     contact.teleportCounts[1] = bodies.teleportCount[key.bodyB];
 }
 
-void measureApproach(Contact& contact, const Bodies& bodies) {
+void measureApproach(const Contact& contact, const ContactLane& lane, const Bodies& bodies) {
     const BodyVelocity& a = bodies.motion[contact.key.bodyA];
     const BodyVelocity& b = bodies.motion[contact.key.bodyB];
-    contact.approachSpeed = 0;
+    lane.approachSpeed() = 0;
     for (int i = 0; i < contact.manifold.count; ++i) {
         const ManifoldPoint& p = contact.manifold.points[static_cast<std::size_t>(i)];
         const Vec2 relative = velocityAt(b, p.armB) - velocityAt(a, p.armA);
-        contact.approachSpeed =
-            std::max(contact.approachSpeed, -dot(contact.manifold.normal, relative));
-    }
-}
-
-void clearImpactImpulses(Contact& contact) {
-    contact.hasStepImpulses = false;
-    contact.total = 0;
-    for (PointImpulse& impulse : contact.impulse) {
-        impulse.impact = 0;
-        impulse.largest = 0;
+        lane.approachSpeed() =
+            std::max(lane.approachSpeed(), -dot(contact.manifold.normal, relative));
     }
 }
 
@@ -325,45 +317,43 @@ bool isOutdated(Real relativeDisplacement, bool bounces, const Tolerances& toler
     return relativeDisplacement > (bounces ? kKeptToBounce : kKept) * tolerances.slop;
 }
 
-bool followContact(Contact& contact, const Bodies& bodies, const Tolerances& tolerances,
-                   bool wasResident) {
-    beginStep(contact);
+bool followContact(Contact& contact, const ContactLane& lane, const Bodies& bodies,
+                   const Tolerances& tolerances, bool inPasses) {
+    beginStep(contact, lane);
     contact.near = true;
     contact.centerA = bodies.pose[contact.key.bodyA].position;
-    if (wasResident) {
-        contact.carried = !isOutdated(contact.relativeDisplacement, contact.bounces, tolerances);
-        return contact.carried;
+    if (!inPasses) {
+        advanceContact(bodies, contact, lane);
     }
-    const bool known = addDisplacement(bodies, contact);
-    contact.carried = known && carry(bodies, contact, tolerances);
-    return contact.carried || (known && staysApart(contact, tolerances));
+    const bool known = isKnown(bodies, contact);
+    contact.filled = contact.filled && known &&
+                     !isOutdated(lane.relativeDisplacement(), contact.bounces, tolerances);
+    return contact.filled || (known && staysApart(contact, lane, tolerances));
 }
 
-bool isSound(const Contact& contact) {
+bool isSound(const Contact& contact, const ContactLane& lane) {
     const Manifold& manifold = contact.manifold;
     bool placed = isFinite(contact.centerA) && isFinite(manifold.normal);
     for (const ManifoldPoint& p : manifold.points) {
         placed = placed && isFinite(p.armA) && isFinite(p.armB) && std::isfinite(p.separation);
     }
-    return placed && std::isfinite(contact.impulse[0].normal + contact.impulse[1].normal +
-                                   contact.friction + contact.rolling + contact.total);
+    return placed && std::isfinite(lane.separation(0)) && std::isfinite(lane.separation(1)) &&
+           std::isfinite(lane.impulse(0) + lane.impulse(1) + lane.friction() + lane.rolling() +
+                         lane.total());
 }
 
-void clearContact(Contact& contact) {
-    beginStep(contact);
-    clearImpactImpulses(contact);
-    contact.approachSpeed = 0;
+void clearContact(Contact& contact, const ContactLane& lane) {
+    beginStep(contact, lane);
+    lane.approachSpeed() = 0;
+    lane.separation(0) = 0;
+    lane.clearImpulses();
+    lane.stopSliding();
     contact.touching = false;
     contact.near = false;
     contact.manifold.count = 0;
     contact.manifold.points[0].separation = 0; // unknown
-    contact.impulse = {};
-    contact.friction = 0;
-    contact.rolling = 0;
-    contact.carried = false;
+    contact.filled = false;
     contact.passing = false;
-    contact.sliding = false;
-    contact.row = {}; // discards the state in the lane
 }
 
 } // namespace KODO_PRECISION

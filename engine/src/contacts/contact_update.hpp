@@ -4,7 +4,8 @@
 #include <kodo/settings.hpp>
 
 #include "bodies/bodies.hpp"
-#include "contacts/contact.hpp"
+
+#include "lanes/contact_lane.hpp"
 
 namespace kodo {
 inline namespace KODO_PRECISION {
@@ -16,29 +17,26 @@ void completeContact(Contact& contact, const Bodies& bodies);
 
 /// Begins a step for two parts near each other with the manifold of the last step; BodyVelocity
 /// still holds the displacements of that step. False if the manifold is outdated and must be found
-/// again. If it is kept, the approach speed is measured too, with the same levers. `wasResident`:
-/// the contact was resident, and its lane has already done both.
-bool followContact(Contact& contact, const Bodies& bodies, const Tolerances& tolerances,
-                   bool wasResident);
+/// again. If it is kept, the approach speed is measured too, with the same levers. `inPasses`: both
+/// was done by ContactBlocks::advance.
+bool followContact(Contact& contact, const ContactLane& lane, const Bodies& bodies,
+                   const Tolerances& tolerances, bool inPasses);
 
 /// True if a manifold must be found again after this relative displacement (m) of the bodies.
 bool isOutdated(Real relativeDisplacement, bool bounces, const Tolerances& tolerances);
 
-/// Finds the manifold for a step of dt (s); new points take over the impulses of old ones. The
-/// contact must not be resident.
-void findContact(Contact& contact, const Bodies& bodies, const Tolerances& tolerances, Real dt);
+/// Finds the manifold for a step of dt (s); new points take over the impulses of old ones.
+void findContact(Contact& contact, const ContactLane& lane, const Bodies& bodies,
+                 const Tolerances& tolerances, Real dt);
 
-/// Sets approachSpeed (m/s) from the current velocities, for the record and the impacts.
-void measureApproach(Contact& contact, const Bodies& bodies);
-
-/// Resets the impulses that belong to the record of one step.
-void clearImpactImpulses(Contact& contact);
+/// Sets the approach speed (m/s) from the current velocities, for the record and the impacts.
+void measureApproach(const Contact& contact, const ContactLane& lane, const Bodies& bodies);
 
 /// True if positions and impulses are finite.
-bool isSound(const Contact& contact);
+bool isSound(const Contact& contact, const ContactLane& lane);
 
 /// Resets a contact whose parts are not near each other any more.
-void clearContact(Contact& contact);
+void clearContact(Contact& contact, const ContactLane& lane);
 
 } // namespace KODO_PRECISION
 } // namespace kodo

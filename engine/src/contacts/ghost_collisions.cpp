@@ -74,8 +74,9 @@ bool liesUnder(const ConvexShape& convex, const Transform& pose, Vec2 normal, Ve
 
 /// Replaces a contact at the vertex where its ground rises from the carrying face; see
 /// contactWithRisingFace(). False if it stays.
-bool replaceByRisingFace(const HidingStep& step, Contact& contact, const CarryingFace& carrying) {
+bool replaceByRisingFace(const HidingStep& step, std::uint32_t slot, const CarryingFace& carrying) {
     const Bodies& bodies = step.bodies;
+    const Contact& contact = step.contact(slot);
     const ContactKey& key = contact.key;
     const ConvexShape& a = bodies.convex(key.bodyA, key.partA);
     const ConvexShape& b = bodies.convex(key.bodyB, key.partB);
@@ -88,19 +89,15 @@ bool replaceByRisingFace(const HidingStep& step, Contact& contact, const Carryin
     if (!ahead) {
         return false;
     }
-    step.evict(contact);
     if (!groundIsA) {
         ahead = swapped(*ahead);
     }
+    const ContactLane lane = step.store.lane(slot);
     if (ahead->count == 0 || dot(ahead->normal, contact.manifold.normal) < kSimilarNormals) {
-        contact.impulse = {};
-        contact.friction = 0;
-        contact.rolling = 0;
+        lane.clearImpulses();
     }
-    contact.impulse[1] = {};
-    contact.manifold = *ahead;
-    contact.carried = false;
-    measureApproach(contact, bodies);
+    lane.impulse(1) = 0;
+    step.replace(slot, *ahead);
     return true;
 }
 
@@ -132,12 +129,10 @@ void GhostCollisions::link(const Bodies& bodies, std::span<const ContactSummary>
 void GhostCollisions::hideBehind(const HidingStep& step, std::uint32_t carrier,
                                  std::uint32_t slot) {
     const Bodies& bodies = step.bodies;
-    const std::span<Contact> contacts = step.contacts;
-    const std::span<ContactSummary> summaries = step.summaries;
     const Tolerances& tolerances = step.tolerances;
-    const Ground carrying = groundOf(bodies, contacts[carrier]);
+    const Ground carrying = groundOf(bodies, step.contact(carrier));
     const Vec2 point = bodies.pose[carrying.body].position + carrying.arm;
-    Contact& contact = contacts[slot];
+    const Contact& contact = step.contact(slot);
     const Ground ground = groundOf(bodies, contact);
     const bool sameWay =
         contact.manifold.count > 0 && dot(ground.normal, carrying.normal) > Real(0.99999);
@@ -151,16 +146,12 @@ void GhostCollisions::hideBehind(const HidingStep& step, std::uint32_t carrier,
     };
     const bool isFlush = isUnder(kFlush * tolerances.slop);
     if (!isFlush && !contact.hidden &&
-        replaceByRisingFace(step, contact,
+        replaceByRisingFace(step, slot,
                             {carrying.normal, point, tolerances.slop, tolerances.margin})) {
-        summaries[slot].idle = false;
-        summaries[slot].note(contact);
         return;
     }
     if (isFlush || isUnder(tolerances.slop)) {
-        contact.hidden = true;
-        summaries[slot].idle = false;
-        summaries[slot].kept = false;
+        step.hide(slot);
     }
 }
 
@@ -168,9 +159,9 @@ void GhostCollisions::hide(const HidingStep& step) const {
     for (const std::uint32_t body : onPieces_) {
         for (std::uint32_t i = first_[body]; i != kEnd; i = next_[i]) {
             for (std::uint32_t k = first_[body]; k != kEnd; k = next_[k]) {
-                const Contact& carrier = step.contacts[i];
+                const Contact& carrier = step.contact(i);
                 if (k != i && !carrier.hidden && carrier.responds() &&
-                    step.summaries[i].separation[0] <= step.tolerances.slop) {
+                    step.store.separation(i) <= step.tolerances.slop) {
                     hideBehind(step, i, k);
                 }
             }

@@ -5,7 +5,8 @@
 
 #include "bodies/bodies.hpp"
 #include "collide/manifold.hpp"
-#include "contacts/contact.hpp"
+
+#include "lanes/contact.hpp"
 
 namespace kodo {
 inline namespace KODO_PRECISION {

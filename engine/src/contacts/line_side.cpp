@@ -103,20 +103,12 @@ Real directionBetween(const ConvexShape& a, const ConvexShape& b) {
     return a.vertices[0] == b.vertices[0] || a.vertices[1] == b.vertices[1] ? Real(-1) : Real(0);
 }
 
-/// Replaces the manifold of a near contact.
+/// Replaces the manifold of a near contact, without impulses of the old one.
 void replace(const HidingStep& step, std::uint32_t slot, const Manifold& manifold) {
-    Contact& contact = step.contacts[slot];
-    if (contact.row.resident) {
-        step.evict(contact);
-    }
-    contact.manifold = manifold;
-    contact.carried = false;
-    contact.impulse = {};
-    contact.friction = 0;
-    contact.rolling = 0;
-    measureApproach(contact, step.bodies);
-    step.summaries[slot].idle = false;
-    step.summaries[slot].note(contact);
+    const ContactLane lane = step.store.lane(slot);
+    lane.clearStep();
+    lane.clearImpulses();
+    step.replace(slot, manifold);
 }
 
 } // namespace
@@ -199,8 +191,8 @@ void LineSides::link(const Bodies& bodies, std::span<const Contact> contacts,
 /// `from` touched in the last step, `to` did not.
 void LineSides::copySide(const HidingStep& step, const Member& from, const Member& to) const {
     const Bodies& bodies = step.bodies;
-    const Contact& carrier = step.contacts[from.slot];
-    Contact& contact = step.contacts[to.slot];
+    const Contact& carrier = step.contact(from.slot);
+    Contact& contact = step.store.contacts()[to.slot];
     const ConvexShape& line = bodies.convex(from.line.body, from.line.part);
     const ConvexShape& next = bodies.convex(to.line.body, to.line.part);
     const Real margin = step.tolerances.margin;
@@ -228,6 +220,7 @@ void LineSides::copySide(const HidingStep& step, const Member& from, const Membe
     const Vec2 normal = bodies.pose[to.line.body].rotation * (side * next.normals[1]);
     contact.manifold.normal = to.line.isA ? normal : -normal;
     contact.manifold.points[0].separation = margin;
+    step.store.lane(to.slot).separation(0) = margin;
     contact.teleportCounts = {bodies.teleportCount[contact.key.bodyA],
                               bodies.teleportCount[contact.key.bodyB]};
 }
@@ -241,21 +234,19 @@ void LineSides::spread(const HidingStep& step) const {
         const auto end = std::find_if(first, groups_.end(),
                                       [&](const Member& m) { return !sameGroup(m, *first); });
         for (auto to = first; to != end; ++to) {
-            Contact& contact = step.contacts[to->slot];
-            if (contact.row.resident) { // else its separations, which give the side, are old
-                step.evict(contact);
-                step.summaries[to->slot].note(contact);
-            }
+            // Its separations, which give the side, are brought up to date.
+            Contact& contact = step.store.change(to->slot, step.bodies);
             if (!contact.near && contact.manifold.count == 0) {
                 contact.manifold.points[0].separation = 0; // no side is stored any more
+                step.store.lane(to->slot).separation(0) = 0;
             }
         }
         for (auto from = first; from != end; ++from) {
-            if (!step.contacts[from->slot].wasTouching) {
+            if (!step.contact(from->slot).wasTouching) {
                 continue;
             }
             for (auto to = first; to != end; ++to) {
-                const Contact& contact = step.contacts[to->slot];
+                const Contact& contact = step.contact(to->slot);
                 if (to != from && !contact.wasTouching) {
                     copySide(step, *from, *to);
                 }

@@ -3,13 +3,14 @@
 
 #include "bodies/bodies.hpp"
 #include "collide/one_sided.hpp"
-#include "contacts/contact.hpp"
 #include "contacts/hiding_step.hpp"
 
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
+
+#include "lanes/contact.hpp"
 
 namespace kodo {
 inline namespace KODO_PRECISION {

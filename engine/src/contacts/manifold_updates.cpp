@@ -27,29 +27,36 @@ struct Piece { // of the contacts; `end` is that of the whole range of the threa
 class ManifoldPass {
 public:
     ContactStore& store;
+    const ContactBlocks& lanes;
     const PartBounds& bounds;
     const Bodies& bodies;
     const Tolerances& tolerances;
     Real dt; // s
-    const SolverStorage& keeper;
 
     /// Summaries, lanes and bounds select the contacts of the piece that need a visit; only these
-    /// are read, with prefetching.
-    void update(const Piece& piece) const {
+    /// are read, with prefetching. Returns the largest approach speed, m/s.
+    Real update(const Piece& piece) const {
         const auto& [first, last, end] = piece;
         const std::span<const ContactSummary> summaries = store.summaries();
         const bool far = summaries.size() >= kFar;
+        Real fastest = 0;
         PrefetchList<kContactsPerPiece> visited;
         for (std::size_t i = first; i < last; ++i) {
             if (far && i + kSummariesAhead < end) {
                 prefetchFor(summaries[i + kSummariesAhead]);
             }
-            if (!staysKept(i) && !(summaries[i].idle && !boundsMeet(i))) {
-                visited.add(static_cast<std::uint32_t>(i));
+            const auto slot = static_cast<std::uint32_t>(i);
+            if (staysKept(summaries[i])) {
+                fastest = std::max(fastest, store.approachSpeed(slot));
+            } else {
+                visited.add(slot, !summaries[i].idle || boundsMeet(i));
             }
         }
-        visitPrefetched<2>(visited.list(), store.contacts(),
-                           [&](std::uint32_t slot) { updateContact(slot); });
+        visitPrefetched<2>(visited.list(), store.contacts(), [&](std::uint32_t slot) {
+            updateContact(slot);
+            fastest = std::max(fastest, summaries[slot].idle ? Real(0) : store.approachSpeed(slot));
+        });
+        return fastest;
     }
 
 private:
@@ -57,21 +64,14 @@ private:
         if (next.idle) {
             prefetch(bounds.tight(next.proxies.first));
             prefetch(bounds.tight(next.proxies.second));
-        } else if (next.row < keeper.carried.size()) {
-            prefetch(keeper.carried[next.row]);
+        } else if (next.kept) {
+            prefetch(lanes.relativeDisplacement(next.row.index));
         }
     }
-    /// True if the contact stays resident and its manifold is kept. Updates its summary from the
-    /// lane.
-    bool staysKept(std::size_t slot) const {
-        ContactSummary& summary = store.summaries()[slot];
-        if (!summary.kept || keeper.carried.empty()) {
-            return false;
-        }
-        const Carried& now = keeper.carried[summary.row];
-        summary.separation = now.separation;
-        summary.approachSpeed = now.approachSpeed;
-        return !isOutdated(now.relativeDisplacement, summary.bounces, tolerances);
+    /// True if the lane has all of the contact, and its manifold stays valid.
+    bool staysKept(const ContactSummary& summary) const {
+        return summary.kept && !isOutdated(lanes.relativeDisplacement(summary.row.index),
+                                           summary.bounces, tolerances);
     }
     /// True if the tight bounds of both parts overlap when one is grown by the margin.
     bool boundsMeet(std::size_t slot) const {
@@ -80,51 +80,46 @@ private:
                        bounds.tight(proxies.second));
     }
     /// Updates one manifold, and whether the contact is idle in this step.
-    void updateContact(std::size_t slot) const {
-        Contact& contact = store.contacts()[slot];
-        if (contact.carried || boundsMeet(slot)) {
-            const bool wasResident = contact.row.resident;
-            KODO_ASSERT(!wasResident || !keeper.carried.empty());
-            if (wasResident) {
-                keeper.evict(contact);
+    void updateContact(std::uint32_t slot) const {
+        const ContactEntry entry = store.entry(slot);
+        auto& [contact, summary, place] = entry;
+        const ContactLane lane = store.lane(slot);
+        summary.kept = false;
+        if (contact.filled || boundsMeet(slot)) {
+            if (!followContact(contact, lane, bodies, tolerances, summary.inPasses())) {
+                findContact(contact, lane, bodies, tolerances, dt);
             }
-            if (!followContact(contact, bodies, tolerances, wasResident)) {
-                findContact(contact, bodies, tolerances, dt);
-            }
-            if (!contact.carried) {
-                measureApproach(contact, bodies);
+            if (!contact.filled) {
+                measureApproach(contact, lane, bodies);
             }
         } else if (contact.near || contact.hidden || contact.manifold.count > 0) {
-            clearContact(contact);
+            clearContact(contact, lane);
+            summary.row = {};
         }
         // An End is still to be recorded, or was recorded and has to be reset.
         const bool ends = contact.wasTouching || contact.phase;
-        ContactSummary& summary = store.summaries()[slot];
         summary.idle = !(contact.near | ends | contact.sensor);
-        summary.note(contact);
+        summary.meets = contact.manifold.count > 0 || contact.sensor;
     }
 };
 
-/// Appends the contacts of a range that are not idle. Returns their largest approach speed, m/s.
-Real listLive(std::span<const ContactSummary> summaries, std::size_t first, std::size_t last,
+/// Appends the contacts of a range that are not idle.
+void listLive(std::span<const ContactSummary> summaries, std::size_t first, std::size_t last,
               std::vector<std::uint32_t>& found) {
-    Real fastest = 0;
     std::size_t count = found.size();
     found.resize(count + (last - first));
     for (std::size_t i = first; i < last; ++i) {
         const ContactSummary& summary = summaries[i];
-        fastest = std::max(fastest, summary.idle ? Real(0) : summary.approachSpeed);
         found[count] = static_cast<std::uint32_t>(i);
         count += summary.idle ? 0 : 1;
     }
     found.resize(count);
-    return fastest;
 }
 
 /// True if the summary agrees with the contact (assertion).
 [[maybe_unused]] bool agrees(const ContactSummary& summary, const Contact& contact) {
     const bool meets = contact.manifold.count > 0 || contact.sensor;
-    return contact.sensor || (summary.row == contact.row.index && summary.meets == meets &&
+    return contact.sensor || (summary.meets == meets &&
                               (!summary.steady || summary.wasTouching == contact.wasTouching));
 }
 
@@ -132,8 +127,8 @@ Real listLive(std::span<const ContactSummary> summaries, std::size_t first, std:
 
 void ContactSet::measureApproach(const Bodies& bodies, std::uint32_t body) {
     store_.lists().forEach(body, [&](std::uint32_t slot) {
-        kodo::measureApproach(contacts()[slot], bodies);
-        noteManifold(slot);
+        kodo::measureApproach(contacts()[slot], store_.lane(slot), bodies);
+        manifoldChanged(slot);
     });
 }
 
@@ -144,8 +139,9 @@ void ContactSet::finishContact(std::uint32_t slot, bool touchesInRow, const Tole
     ContactSummary& summary = store_.summaries()[slot];
     Contact& contact = contacts()[slot];
     const bool before = contact.wasTouching;
-    kodo::finishContact(contact, summary.row == ContactRow::kNone ? touches(contact, tolerances)
-                                                                  : touchesInRow);
+    kodo::finishContact(contact, summary.inPasses()
+                                     ? touchesInRow
+                                     : touches(contact, store_.lane(slot), tolerances));
     summary.wasTouching = contact.touching;
     summary.steady = !contact.phase || contact.phase == TouchPhase::Persist;
     if (contact.touching != before) {
@@ -173,25 +169,23 @@ void ContactSet::visitAll() {
     liveStale_ = true;
 }
 
-void ContactSet::noteManifolds() {
-    for (std::size_t slot = 0; slot < store_.size(); ++slot) {
-        noteManifold(slot);
+void ContactSet::leavePasses(const Bodies& bodies) {
+    visitAll();
+    for (std::uint32_t slot = 0; slot < store_.size(); ++slot) {
+        store_.leavePasses(slot, bodies);
     }
 }
 
-void ContactSet::noteManifold(std::size_t slot) {
+void ContactSet::manifoldChanged(std::uint32_t slot) {
     ContactSummary& summary = store_.summaries()[slot];
-    summary.note(contacts()[slot]);
-    fastestApproach_ = std::max(fastestApproach_, summary.approachSpeed);
+    summary.meets = contacts()[slot].manifold.count > 0 || summary.sensor;
+    fastestApproach_ = std::max(fastestApproach_, store_.approachSpeed(slot));
 }
 
-void ContactSet::finishStepOfContacts(std::span<const std::uint8_t> touched,
-                                      const Tolerances& tolerances, WorkerTeam& team) {
-    const std::uint8_t* const touchedOf = touched.data();
-    const std::size_t none = touched.size() - 1;
+void ContactSet::finishStepOfContacts(const Tolerances& tolerances, WorkerTeam& team) {
+    const std::uint8_t* const touchedOf = lanes().touched().data();
     const auto touches = [=](const ContactSummary& summary) {
-        KODO_ASSERT(summary.row == ContactRow::kNone || summary.row < none);
-        return touchedOf[std::min<std::size_t>(summary.row, none)] != 0;
+        return summary.inPasses() && touchedOf[summary.row.index] != 0;
     };
     const std::span<const ContactSummary> all = summaries();
     std::vector<std::uint32_t>& toggled = records_.toggled();
@@ -206,7 +200,7 @@ void ContactSet::finishStepOfContacts(std::span<const std::uint8_t> touched,
                 for (std::size_t i = from; i < to; ++i) {
                     const ContactSummary& summary = all[live_[i]];
                     KODO_ASSERT(agrees(summary, contacts()[live_[i]]));
-                    const bool hasNoRow = summary.meets & (summary.row == ContactRow::kNone);
+                    const bool hasNoRow = summary.meets & !summary.inPasses();
                     visited.add(live_[i], hasNoRow | !summary.steady |
                                               (touches(summary) != summary.wasTouching));
                 }
@@ -215,16 +209,22 @@ void ContactSet::finishStepOfContacts(std::span<const std::uint8_t> touched,
                 });
             });
         });
-    touchCounts_.noteChanges(all, toggled);
+    touchCounts_.addChanges(all, toggled);
 }
 
-void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& tolerances, Real dt,
-                                 const SolverStorage& keeper, WorkerTeam& team) {
+void ContactSet::updateManifolds(Bodies& bodies, const Tolerances& tolerances, Real dt,
+                                 WorkerTeam& team) {
     fastestApproach_ = 0;
+    for (const std::uint32_t body : bodies.changes.teleported) {
+        store_.lists().forEach(body,
+                               [&](std::uint32_t slot) { store_.summaries()[slot].kept = false; });
+    }
+    noteStart(bodies);
+    lanes().advance(bodies, team);
     if (store_.size() == 0 && !contactsChanged_) {
         return;
     }
-    const ManifoldPass pass{store_, candidates_.bounds(), bodies, tolerances, dt, keeper};
+    const ManifoldPass pass{store_, store_.lanes(), candidates_.bounds(), bodies, tolerances, dt};
     live_.clear();
     live_.reserve(store_.capacity());
     found_.gather(team, store_.size(), kContactsPerPiece, live_,
@@ -232,31 +232,31 @@ void ContactSet::updateManifolds(const Bodies& bodies, const Tolerances& toleran
                       found.reserve(found.size() + (last - first));
                       Real fastest = 0;
                       forPieces(first, last, kContactsPerPiece, [&](auto from, auto to) {
-                          pass.update({from, to, last});
-                          fastest = std::max(fastest, listLive(summaries(), from, to, found));
+                          fastest = std::max(fastest, pass.update({from, to, last}));
+                          listLive(summaries(), from, to, found);
                       });
                       WorkerTeam::raise(fastestApproach_, fastest);
                   });
     liveStale_ = false;
     if (std::exchange(contactsChanged_, false)) {
-        noteKinds(bodies, team);
+        findKinds(bodies, team);
         ghostCollisions_.link(bodies, summaries(), onGround_);
         const bool anyLines = !(bodies.thinnest > 0); // points and lines have no core radius
         oneWayBodies_.link(bodies, contacts(), anyLines ? summaries() : Summaries());
         lineSides_.link(bodies, contacts(), anyLines ? summaries() : Summaries());
     }
     if (!lineSides_.empty()) {
-        lineSides_.spread({bodies, contacts(), store_.summaries(), tolerances, dt, keeper.evict});
+        lineSides_.spread({bodies, store_, tolerances, dt});
     }
     if (!oneWayBodies_.empty()) {
-        oneWayBodies_.hide({bodies, contacts(), store_.summaries(), tolerances, dt, keeper.evict});
+        oneWayBodies_.hide({bodies, store_, tolerances, dt});
     }
-    ghostCollisions_.hide({bodies, contacts(), store_.summaries(), tolerances, dt, keeper.evict});
+    ghostCollisions_.hide({bodies, store_, tolerances, dt});
 }
 
-/// Notes whether any contact has a sensor or restitution. Lists the contacts between an immovable
+/// Finds whether any contact has a sensor or restitution. Lists the contacts between an immovable
 /// and a movable body for GhostCollisions.
-void ContactSet::noteKinds(const Bodies& bodies, WorkerTeam& team) {
+void ContactSet::findKinds(const Bodies& bodies, WorkerTeam& team) {
     anySensors_ = 0;
     anyBounces_ = 0;
     onGround_.clear();

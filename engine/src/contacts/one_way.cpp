@@ -94,29 +94,23 @@ void OneWayBodies::hide(const HidingStep& step) const {
     for (std::size_t first = 0; first < slots_.size();) {
         std::size_t end = first;
         while (end < slots_.size() &&
-               samePair(step.contacts[slots_[end]].key, step.contacts[slots_[first]].key)) {
+               samePair(step.contact(slots_[end]).key, step.contact(slots_[first]).key)) {
             ++end;
         }
         const std::span<const std::uint32_t> own(slots_.data() + first, end - first);
         first = end;
         for (const std::uint32_t slot : own) {
-            Contact& contact = step.contacts[slot];
+            const Contact& contact = step.contact(slot);
             if (contact.wasTouching || contact.passing || contact.hidden) {
                 continue;
             }
             const Sides sides = sidesOf(bodies, contact.key);
             const auto passes = [&](std::uint32_t other) {
-                return step.contacts[other].passing &&
-                       sidesOf(bodies, step.contacts[other].key).otherPart != sides.otherPart;
+                return step.contact(other).passing &&
+                       sidesOf(bodies, step.contact(other).key).otherPart != sides.otherPart;
             };
             if (std::any_of(own.begin(), own.end(), passes) || anyOtherBehind(bodies, sides)) {
-                if (contact.row.resident) {
-                    step.evict(contact);
-                }
-                contact.hidden = true;
-                step.summaries[slot].idle = false;
-                step.summaries[slot].note(contact);
-                step.summaries[slot].kept = false;
+                step.hide(slot);
             }
         }
     }

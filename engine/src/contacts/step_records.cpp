@@ -13,17 +13,6 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
 
-/// Appends the record of a contact; of a resident one with its state written back to a copy.
-void append(const Contact& contact, const WriteBack& writeBack, std::vector<CollisionRecord>& out) {
-    if (contact.row.resident) {
-        Contact copy = contact;
-        writeBack(copy);
-        recordContact(copy, out);
-    } else {
-        recordContact(contact, out);
-    }
-}
-
 template <typename Accept>
 void appendIf(std::span<const CollisionRecord> records, std::vector<CollisionRecord>& out,
               Accept accept) {
@@ -51,13 +40,13 @@ void StepRecords::finish(bool enabled) {
     eventsDue_ = enabled;
 }
 
-void StepRecords::keep(const Contact& contact) {
+void StepRecords::keep(const StoredContact& contact) {
     if (allDue_) {
         recordContact(contact, removed_);
     }
 }
 
-void StepRecords::noteEnd(const Contact& contact) {
+void StepRecords::addEnd(const Contact& contact) {
     nextEnds_.push_back(endOf(contact));
 }
 
@@ -67,7 +56,7 @@ std::span<const CollisionRecord> StepRecords::all(const Source& source) {
         const std::span<const Contact> contacts = source.store.contacts();
         source.store.forEachInOrder([&](std::uint32_t slot) {
             if (contacts[slot].phase) {
-                append(contacts[slot], source.writeBack, all_);
+                recordContact(source.store.copyOf(slot, source.bodies), all_);
             }
         });
         addInOrder(removed_, all_);
@@ -96,7 +85,7 @@ void StepRecords::select(Find find, Accept accept, const Source& source,
     }
     reserveReusing(out, slots_.size());
     for (const std::uint32_t slot : slots_) {
-        append(contacts[slot], source.writeBack, out);
+        recordContact(source.store.copyOf(slot, source.bodies), out);
     }
     std::erase_if(out, std::not_fn(accept));
     const std::size_t inOrder = out.size();
@@ -141,7 +130,7 @@ std::vector<CollisionRecord> StepRecords::hits(Real minSpeed, const Source& sour
         }
         const std::span<const ContactSummary> summaries = source.store.summaries();
         source.store.forEachInOrder([&](std::uint32_t slot) {
-            if (summaries[slot].approachSpeed >= minSpeed && summaries[slot].wasTouching) {
+            if (summaries[slot].wasTouching && source.store.approachSpeed(slot) >= minSpeed) {
                 slots.push_back(slot);
             }
         });

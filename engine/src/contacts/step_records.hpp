@@ -4,33 +4,29 @@
 #include <kodo/collision_record.hpp>
 #include <kodo/settings.hpp>
 
-#include "contacts/contact.hpp"
 #include "contacts/contact_store.hpp"
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
+#include "lanes/contact.hpp"
+
 namespace kodo {
 inline namespace KODO_PRECISION {
-
-/// Writes the state of a resident contact back to the contact, or to a copy of it.
-using WriteBack = std::function<void(Contact&)>;
 
 /// Records of the last step. A step only notes what began and ended; the records are written when
 /// they are first read. Lists of begins and ends then cost what began and ended, the list of all
 /// costs all touching contacts. All lists are in the order of bodies and parts, and agree.
 class StepRecords {
 public:
-    /// The contacts of the step, and what writes back the resident ones among them.
+    /// The contacts of the step.
     struct Source {
         const ContactStore& store;
+        const Bodies& bodies;
         Real fastestApproach; // m/s
-        WriteBack writeBack;
     };
 
-    // Each function writes back the contacts of its own records alone.
     std::span<const CollisionRecord> all(const Source& source);
     std::span<const CollisionRecord> begun(const Source& source);
     std::span<const CollisionRecord> ended(const Source& source);
@@ -41,10 +37,10 @@ public:
     /// Starts a step: lists that were not read until now are not written any more.
     void begin();
     void finish(bool enabled);
-    /// Keeps the record of a contact that is about to be removed. It must not be resident.
-    void keep(const Contact& contact);
+    /// Keeps the record of a contact that is about to be removed.
+    void keep(const StoredContact& contact);
     /// A touching contact was removed: it gets an End record in the next step.
-    void noteEnd(const Contact& contact);
+    void addEnd(const Contact& contact);
     /// Slots of the contacts that began or ended in the last step.
     std::vector<std::uint32_t>& toggled() { return toggled_; }
     /// When writing, all() must have been called.

@@ -4,12 +4,13 @@
 #include "base/vector_reuse.hpp"
 #include "base/worker_team.hpp"
 #include "bodies/bodies.hpp"
-#include "contacts/contact.hpp"
 
 #include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
+
+#include "lanes/contact.hpp"
 
 namespace kodo {
 inline namespace KODO_PRECISION {
@@ -35,15 +36,15 @@ public:
             changes_.erase(std::unique(changes_.begin(), changes_.end()), changes_.end());
         }
     }
-    /// The same on any thread, without a note of the change: see noteChanges.
+    /// The same on any thread, without a change in changes(): see addChanges.
     void count(const WorkerTeam& team, const ContactSummary& summary, bool touches) {
         for (const std::uint32_t body : {summary.bodyA, summary.bodyB}) {
             team.count(counts_[body], touches ? 1u : kOneLess);
         }
     }
-    /// Notes the bodies of contacts that began or ceased to touch.
-    void noteChanges(std::span<const ContactSummary> summaries,
-                     std::span<const std::uint32_t> slots) {
+    /// Adds the bodies of contacts that began or ceased to touch.
+    void addChanges(std::span<const ContactSummary> summaries,
+                    std::span<const std::uint32_t> slots) {
         for (const std::uint32_t slot : slots) {
             changes_.push_back(summaries[slot].bodyA);
             changes_.push_back(summaries[slot].bodyB);

@@ -28,13 +28,9 @@ constexpr std::size_t kCandidatesPerPiece = 64;
 /// out, a stopped pair may overlap by a rounding error.
 constexpr Real kStopShort = sizeof(Real) == 4 ? Real(1) / 1024 : Real(1) / 65536;
 
-Real gapOf(const Contact& contact, const Tolerances& tolerances) {
-    return contact.manifold.count > 0 ? contact.manifold.points[0].separation : tolerances.margin;
-}
-
-/// The same for a pair without a sensor, from its summary.
-Real gapOf(const ContactSummary& summary, const Tolerances& tolerances) {
-    return summary.meets ? summary.separation[0] : tolerances.margin;
+/// Separation (m) of a pair without a sensor.
+Real gapOf(const ContactStore& store, std::uint32_t slot, const Tolerances& tolerances) {
+    return store.summaries()[slot].meets ? store.separation(slot) : tolerances.margin;
 }
 
 /// Separation (m) at which to stop a pair that has the separation `gap` and approaches by `motion`
@@ -101,8 +97,10 @@ bool mayMeet(const Bodies& bodies, const PartBounds& bounds, const ContactSummar
 
 /// True if a pair may meet in this step while no body is stopped. It uses the core radius of whole
 /// bodies, which is that of their thinnest part. stoppingGap() decides exactly.
-bool closes(const Bodies& bodies, const PartBounds& bounds, const ContactSummary& summary,
+bool closes(const Bodies& bodies, const ContactSet& contactSet, std::uint32_t slot,
             const Tolerances& tolerances) {
+    const ContactSummary& summary = contactSet.summaries()[slot];
+    const PartBounds& bounds = contactSet.candidates().bounds();
     const Extent& extentA = bodies.extent[summary.bodyA];
     const Extent& extentB = bodies.extent[summary.bodyB];
     const bool againstLocked = bodies.locked(summary.bodyA) || bodies.locked(summary.bodyB);
@@ -114,7 +112,7 @@ bool closes(const Bodies& bodies, const PartBounds& bounds, const ContactSummary
     const Mover a{summary.bodyA, extentA.rotationReach};
     const Mover b{summary.bodyB, extentB.rotationReach};
     const Real motion = relativeMotion(bodies, a, b);
-    const Real gap = gapOf(summary, tolerances);
+    const Real gap = gapOf(contactSet.store(), slot, tolerances);
     if (motion < gap || (motion <= far && !summary.bounces)) {
         return false;
     }
@@ -189,7 +187,7 @@ void ContinuousCollision::run(Bodies& bodies, ContactSet& contactSet, const Join
             stopInOrder(step);
         }
         if (sensors) {
-            noticeSensors(bodies, contacts, settings, tolerances);
+            noticeSensors(bodies, contactSet.store(), settings, tolerances);
         }
         finish(bodies, dt);
     }
@@ -223,17 +221,16 @@ void ContinuousCollision::finish(Bodies& bodies, Real dt) {
 bool ContinuousCollision::findCandidates(const Bodies& bodies, const ContactSet& contactSet,
                                          const Tolerances& tolerances, WorkerTeam& team) {
     const std::span<const ContactSummary> summaries = contactSet.summaries();
-    const PartBounds& bounds = contactSet.candidates().bounds();
     std::uint8_t sensors = 0;
     found_.gather(team, summaries.size(), kPairsPerPiece, candidates_,
                   [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& found) {
                       for (std::size_t i = first; i < last; ++i) {
-                          const ContactSummary& summary = summaries[i];
-                          if (summary.sensor) {
+                          const auto slot = static_cast<std::uint32_t>(i);
+                          if (summaries[i].sensor) {
                               WorkerTeam::mark(sensors);
-                          } else if (isSwift(summary) &&
-                                     closes(bodies, bounds, summary, tolerances)) {
-                              found.push_back(static_cast<std::uint32_t>(i));
+                          } else if (isSwift(summaries[i]) &&
+                                     closes(bodies, contactSet, slot, tolerances)) {
+                              found.push_back(slot);
                           }
                       }
                   });
@@ -292,7 +289,7 @@ void ContinuousCollision::findTime(const Step& step, std::uint32_t i, Real from)
                                  timeToJointedLine(step, contact, *target))
                       : Real(1);
     };
-    const Real gap = gapOf(step.summaries[i], step.tolerances);
+    const Real gap = gapOf(step.contactSet.store(), i, step.tolerances);
     Real& time = times_[i];
     time = timeFrom(gap);
     if (time >= 1) {
@@ -354,29 +351,31 @@ void ContinuousCollision::stopInOrder(const Step& step) {
     }
 }
 
-void ContinuousCollision::noticeSensors(const Bodies& bodies, std::span<Contact> contacts,
+void ContinuousCollision::noticeSensors(const Bodies& bodies, ContactStore& store,
                                         const StepSettings& settings,
                                         const Tolerances& tolerances) {
-    for (Contact& contact : contacts) {
+    for (std::uint32_t slot = 0; slot < store.size(); ++slot) {
+        Contact& contact = store.contacts()[slot];
         if (!contact.sensor) {
             continue;
         }
+        const ContactLane lane = store.lane(slot);
+        const Real apart = contact.manifold.count > 0 ? lane.separation(0) : tolerances.margin;
         // A contact that the last step brought just short of touching has begun to touch, and
         // persists.
-        contact.touching = contact.wasTouching && contact.manifold.count > 0 &&
-                           contact.manifold.points[0].separation <= tolerances.slop / 32;
+        contact.touching = contact.wasTouching && apart <= tolerances.slop / 32;
         const Real motion = motionOf(bodies, contact);
-        const auto gap =
-            stoppingGap(bodies, contact, gapOf(contact, tolerances), motion, settings, tolerances);
+        const auto gap = stoppingGap(bodies, contact, apart, motion, settings, tolerances);
         const Real fraction = gap ? impactTime(bodies, contact, *gap, 0) : 1;
         if (fraction < 1) {
-            recordSensorImpact(bodies, contact, fraction, tolerances);
+            recordSensorImpact(bodies, contact, lane, fraction, tolerances);
         }
     }
 }
 
 /// Stores the point and the speed of the impact with a sensor in its contact, for the record.
-void ContinuousCollision::recordSensorImpact(const Bodies& bodies, Contact& contact, Real fraction,
+void ContinuousCollision::recordSensorImpact(const Bodies& bodies, Contact& contact,
+                                             const ContactLane& lane, Real fraction,
                                              const Tolerances& tolerances) const {
     const ContactKey& key = contact.key;
     const Transform a = pathOf(bodies, key.bodyA).at(fraction);
@@ -388,12 +387,13 @@ void ContinuousCollision::recordSensorImpact(const Bodies& bodies, Contact& cont
     }
     contact.touching = true;
     contact.manifold = met;
-    contact.carried = false;
+    lane.setSeparations(met);
+    contact.filled = false;
     contact.centerA = a.position;
     const ManifoldPoint& point = met.points[0];
     const Vec2 relative = velocityAt(bodies.motion[key.bodyB], point.armB) -
                           velocityAt(bodies.motion[key.bodyA], point.armA);
-    contact.approachSpeed = std::max(-dot(met.normal, relative), Real(0));
+    lane.approachSpeed() = std::max(-dot(met.normal, relative), Real(0));
 }
 
 } // namespace KODO_PRECISION

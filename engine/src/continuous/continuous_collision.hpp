@@ -97,10 +97,10 @@ private:
     Real violationAt(const Bodies& bodies, const JointDef& def, Real fractionA,
                      Real fractionB) const;
     void finish(Bodies& bodies, Real dt);
-    void noticeSensors(const Bodies& bodies, std::span<Contact> contacts,
-                       const StepSettings& settings, const Tolerances& tolerances);
-    void recordSensorImpact(const Bodies& bodies, Contact& contact, Real fraction,
-                            const Tolerances& tolerances) const;
+    void noticeSensors(const Bodies& bodies, ContactStore& store, const StepSettings& settings,
+                       const Tolerances& tolerances);
+    void recordSensorImpact(const Bodies& bodies, Contact& contact, const ContactLane& lane,
+                            Real fraction, const Tolerances& tolerances) const;
 
     std::vector<std::uint8_t> swift_;       // by body: moves so far that its pairs are tested
     std::vector<Real> stopAt_;              // by body: fraction of the step

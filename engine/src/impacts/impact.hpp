@@ -3,8 +3,8 @@
 
 #include "bodies/bodies.hpp"
 #include "collide/manifold.hpp"
-#include "contacts/contact.hpp"
 
+#include "lanes/contact.hpp"
 #include "lanes/leverage.hpp"
 
 namespace kodo {
@@ -14,6 +14,7 @@ inline namespace KODO_PRECISION {
 struct Impact {
     const Bodies* bodies;
     Contact* contact;
+    ContactLane lane;
     BodyVelocity* a;
     BodyVelocity* b;
     bool frictionless;
@@ -21,6 +22,7 @@ struct Impact {
     Vec2 normal() const { return contact->manifold.normal; }
     Vec2 tangent() const { return perp(contact->manifold.normal); }
     const ManifoldPoint& point(std::size_t i) const { return contact->manifold.points[i]; }
+    Real separation(std::size_t i) const { return lane.separation(i); }
     Vec2 relativeVelocity(std::size_t i) const {
         return velocityAt(*b, point(i).armB) - velocityAt(*a, point(i).armA);
     }
@@ -29,13 +31,12 @@ struct Impact {
     /// Applies an impact impulse (N s) along normal and tangent.
     void push(std::size_t i, Real jn, Real jt) const {
         const Vec2 impulse = jn * normal() + jt * tangent();
-        const auto& [armA, armB, separation, feature] = point(i);
+        const auto& [armA, armB, then, feature] = point(i);
         applyImpulse(*a, a->invMass, -impulse, a->invInertia,
                      -(leverOf(armA, normal()) * jn + leverOf(armA, tangent()) * jt));
         applyImpulse(*b, b->invMass, impulse, b->invInertia,
                      leverOf(armB, normal()) * jn + leverOf(armB, tangent()) * jt);
-        contact->impulse[i].impact += jn;
-        contact->hasStepImpulses = true;
+        lane.impact(i) += jn;
     }
 };
 

@@ -130,7 +130,7 @@ bool hitBoth(const Impact& hit) {
 bool hitContact(const Impact& hit, const Tolerances& tolerances, Real restSpeed) {
     Real speed[2] = {0, 0};
     for (std::size_t i = 0; i < static_cast<std::size_t>(hit.contact->manifold.count); ++i) {
-        if (hit.point(i).separation <= tolerances.slop && !hit.blocked(i)) {
+        if (hit.separation(i) <= tolerances.slop && !hit.blocked(i)) {
             speed[i] = approach(hit, i, restSpeed);
         }
     }
@@ -144,11 +144,10 @@ bool hitContact(const Impact& hit, const Tolerances& tolerances, Real restSpeed)
     return true;
 }
 
-/// True if the contact touches and approaches, so that solveImpact() may act. It reads the
-/// separations of the summary, so that a resident contact stays resident.
-bool approaches(const Impact& hit, const ContactSummary& summary, Real slop, Real restSpeed) {
+/// True if the contact touches and approaches, so that solveImpact() may act.
+bool approaches(const Impact& hit, Real slop, Real restSpeed) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(hit.contact->manifold.count); ++i) {
-        if (summary.separation[i] <= slop && approach(hit, i, restSpeed) > 0) {
+        if (hit.separation(i) <= slop && approach(hit, i, restSpeed) > 0) {
             return true;
         }
     }
@@ -158,7 +157,7 @@ bool approaches(const Impact& hit, const ContactSummary& summary, Real slop, Rea
 /// A body that can only rotate, pinched between moving walls, would get ever larger impulses.
 bool isPinched(const Impact& hit) {
     const bool hinged = hit.a->invMass == 0 && hit.b->invMass == 0;
-    return hinged && hit.contact->impulse[0].impact + hit.contact->impulse[1].impact > 0;
+    return hinged && hit.lane.impacts() > 0;
 }
 
 constexpr std::size_t kContactsPerPiece = 512;
@@ -174,22 +173,12 @@ Real restSpeedOf(const Bodies& bodies, const Contact& contact, Real dt) {
     return dt * std::sqrt(accelerationSquared(bodies, contact.key.bodyA, contact.key.bodyB));
 }
 
-/// True if the measured approach is faster than that, up to rounding; solveImpact() decides
-/// exactly.
-bool isFast(const Bodies& bodies, const ContactSummary& summary, Real dt) {
-    const Real speed = summary.approachSpeed;
-    return speed > 0 &&
-           speed * speed >
-               kNearly * (dt * dt) * accelerationSquared(bodies, summary.bodyA, summary.bodyB);
-}
-
 /// True if any contact was measured as fast; not so in a pile.
 template <typename WasFast>
-bool anyFast(std::span<const std::uint32_t> live, std::span<const ContactSummary> summaries,
-             WorkerTeam& team, WasFast wasFast) {
+bool anyFast(std::span<const std::uint32_t> live, WorkerTeam& team, WasFast wasFast) {
     std::uint8_t any = 0;
     team.forEach(live.size(), kContactsPerPiece, [&](std::size_t first, std::size_t last) {
-        while (first < last && !wasFast(summaries[live[first]])) {
+        while (first < last && !wasFast(live[first])) {
             ++first;
         }
         if (first < last) {
@@ -201,18 +190,21 @@ bool anyFast(std::span<const std::uint32_t> live, std::span<const ContactSummary
 
 } // namespace
 
-bool solveImpact(Bodies& bodies, Contact& contact, const StepSettings& settings,
-                 const Tolerances& tolerances, Real dt) {
+bool solveImpact(Bodies& bodies, Contact& contact, const ContactLane& lane,
+                 const StepSettings& settings, const Tolerances& tolerances, Real dt) {
     if (!contact.responds()) {
         return false;
     }
-    const Impact hit{&bodies, &contact, &bodies.motion[contact.key.bodyA],
-                     &bodies.motion[contact.key.bodyB], !settings.has(Feature::Friction)};
+    const Impact hit{&bodies,
+                     &contact,
+                     lane,
+                     &bodies.motion[contact.key.bodyA],
+                     &bodies.motion[contact.key.bodyB],
+                     !settings.has(Feature::Friction)};
     return !isPinched(hit) && hitContact(hit, tolerances, restSpeedOf(bodies, contact, dt));
 }
 
-void ImpactSolver::solve(Bodies& bodies, ContactSet& contactSet, const ContactBlocks& blocks,
-                         const Step& step) {
+void ImpactSolver::solve(Bodies& bodies, ContactSet& contactSet, const Step& step) {
     if (!step.settings.has(Feature::Restitution) || !(contactSet.fastestApproach() > 0)) {
         return;
     }
@@ -222,15 +214,12 @@ void ImpactSolver::solve(Bodies& bodies, ContactSet& contactSet, const ContactBl
     if (!(contactSet.fastestApproach() > restSpeed)) {
         return;
     }
-    const std::span<const ContactSummary> summaries = contactSet.summaries();
-    const auto wasFast = [&](const ContactSummary& summary) {
-        return summary.approachSpeed > restSpeed && isFast(bodies, summary, step.dt);
-    };
-    if (!anyFast(contactSet.live(), summaries, step.team, wasFast)) {
+    const Inputs inputs{bodies, contactSet, step, restSpeed};
+    if (!anyFast(contactSet.live(), step.team,
+                 [&](std::uint32_t slot) { return wasFast(inputs, slot); })) {
         return;
     }
     round_ = 0;
-    const Inputs inputs{bodies, contactSet, blocks, step, restSpeed};
     listCandidates(inputs);
     const int passes = std::max(1, std::get<SoftSettings>(step.settings.solver).impactPasses);
     bool again = true;
@@ -241,6 +230,17 @@ void ImpactSolver::solve(Bodies& bodies, ContactSet& contactSet, const ContactBl
         lastHit_[body] = 0;
     }
     hitBodies_.clear();
+}
+
+/// True if the measured approach is faster than that, up to rounding; solveImpact() decides
+/// exactly.
+bool ImpactSolver::wasFast(const Inputs& inputs, std::uint32_t slot) {
+    const ContactSummary& summary = inputs.contactSet.summaries()[slot];
+    const Real speed = inputs.contactSet.store().approachSpeed(slot);
+    const Real dt = inputs.step.dt;
+    return speed > inputs.restSpeed &&
+           speed * speed > kNearly * (dt * dt) *
+                               accelerationSquared(inputs.bodies, summary.bodyA, summary.bodyB);
 }
 
 void ImpactSolver::listCandidates(const Inputs& inputs) {
@@ -256,8 +256,7 @@ void ImpactSolver::listCandidates(const Inputs& inputs) {
         candidates_.push_back({.slot = slot,
                                .bodyA = summary.bodyA,
                                .bodyB = summary.bodyB,
-                               .wasFast = summary.approachSpeed > inputs.restSpeed &&
-                                          isFast(bodies, summary, inputs.step.dt),
+                               .wasFast = wasFast(inputs, slot),
                                .bounces = summary.bounces});
     });
 }
@@ -270,13 +269,12 @@ bool ImpactSolver::approachesNow(const Inputs& inputs, Candidate& candidate) con
         return false; // neither body was hit in this step: it approaches as measured
     }
     if (candidate.round == 0 || lastHit >= candidate.round) {
-        const auto& [bodies, contactSet, blocks, step, restSpeed] = inputs;
-        const ContactSummary& summary = contactSet.summaries()[candidate.slot];
+        const Step& step = inputs.step;
         const Impact hit = impactOf(inputs, candidate.slot);
         candidate.round = round_;
-        candidate.approaches =
-            hit.contact->responds() && approaches(hit, summary, step.tolerances.slop,
-                                                  restSpeedOf(bodies, *hit.contact, step.dt));
+        candidate.approaches = hit.contact->responds() &&
+                               approaches(hit, step.tolerances.slop,
+                                          restSpeedOf(inputs.bodies, *hit.contact, step.dt));
     }
     return candidate.approaches;
 }
@@ -350,23 +348,24 @@ void ImpactSolver::solveRound(const Inputs& inputs, std::uint32_t pass) {
 
 /// Solves the contacts in group_ together.
 void ImpactSolver::solveGroup(const Inputs& inputs) {
-    const auto& [bodies, contactSet, blocks, step, restSpeed] = inputs;
+    const auto& [bodies, contactSet, step, restSpeed] = inputs;
+    ContactStore& store = contactSet.store();
     hits_.clear();
     for (const std::uint32_t slot : group_) {
-        Contact& contact = contactSet.contacts()[slot];
-        blocks.evict(contact, bodies);
-        if (contact.bounces && contact.relativeDisplacement > 0) {
+        Contact& contact = store.change(slot, bodies);
+        const ContactLane lane = store.lane(slot);
+        if (contact.bounces && lane.relativeDisplacement() > 0) {
             // Arms that are off by this would change the angular momentum.
-            findContact(contact, bodies, step.tolerances, step.dt);
-            contact.carried = false;
+            findContact(contact, lane, bodies, step.tolerances, step.dt);
+            contact.filled = false;
+            contactSet.manifoldChanged(slot);
         }
-        contactSet.noteContact(slot);
         if (group_.size() > 1) {
             const Impact hit = impactOf(inputs, slot);
             if (hit.contact->responds() && !isPinched(hit)) {
                 hits_.push_back(hit);
             }
-        } else if (!solveImpact(bodies, contact, step.settings, step.tolerances, step.dt)) {
+        } else if (!solveImpact(bodies, contact, lane, step.settings, step.tolerances, step.dt)) {
             return;
         }
     }
@@ -387,8 +386,11 @@ void ImpactSolver::solveGroup(const Inputs& inputs) {
 /// One contact with its bodies.
 Impact ImpactSolver::impactOf(const Inputs& inputs, std::uint32_t slot) {
     const ContactSummary& summary = inputs.contactSet.summaries()[slot];
-    return {&inputs.bodies, &inputs.contactSet.contacts()[slot],
-            &inputs.bodies.motion[summary.bodyA], &inputs.bodies.motion[summary.bodyB],
+    return {&inputs.bodies,
+            &inputs.contactSet.contacts()[slot],
+            inputs.contactSet.store().lane(slot),
+            &inputs.bodies.motion[summary.bodyA],
+            &inputs.bodies.motion[summary.bodyB],
             !inputs.step.settings.has(Feature::Friction)};
 }
 

@@ -48,14 +48,12 @@ public:
         sets_.reserve(bodies.record.capacity());
         sets_.resize(bodies.size());
     }
-    void solve(Bodies& bodies, ContactSet& contactSet, const ContactBlocks& blocks,
-               const Step& step);
+    void solve(Bodies& bodies, ContactSet& contactSet, const Step& step);
 
 private:
     struct Inputs {
         Bodies& bodies;
         ContactSet& contactSet;
-        const ContactBlocks& blocks;
         const Step& step;
         Real restSpeed; // m/s; no slower contact has an impact
     };
@@ -70,6 +68,7 @@ private:
         bool wasFast;               // as measured before the solver
         bool bounces;
     };
+    static bool wasFast(const Inputs& inputs, std::uint32_t slot);
     static Impact impactOf(const Inputs& inputs, std::uint32_t slot);
     void listCandidates(const Inputs& inputs);
     bool approachesNow(const Inputs& inputs, Candidate& candidate) const;
@@ -90,9 +89,9 @@ private:
 };
 
 /// Applies one impact impulse to a contact that touches and approaches, and adds it to
-/// PointImpulse::impact. True if it did.
-bool solveImpact(Bodies& bodies, Contact& contact, const StepSettings& settings,
-                 const Tolerances& tolerances, Real dt);
+/// ContactLane::impact. True if it did.
+bool solveImpact(Bodies& bodies, Contact& contact, const ContactLane& lane,
+                 const StepSettings& settings, const Tolerances& tolerances, Real dt);
 
 } // namespace KODO_PRECISION
 } // namespace kodo

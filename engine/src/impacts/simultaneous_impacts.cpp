@@ -32,13 +32,13 @@ void SimultaneousImpacts::addPoints(const Impact& hit, const Tolerances& toleran
     const Vec2 tangent = hit.tangent();
     for (std::size_t i = 0; i < static_cast<std::size_t>(hit.contact->manifold.count); ++i) {
         const Real speed = approach(hit, i, 0);
-        if (!(speed > 0) || hit.point(i).separation > tolerances.slop || hit.blocked(i)) {
+        if (!(speed > 0) || hit.separation(i) > tolerances.slop || hit.blocked(i)) {
             continue;
         }
         const Real kn = response(hit, i, normal, i, normal);
         const Real kt = response(hit, i, tangent, i, tangent);
         const bool slides = !hit.frictionless && material.staticFriction > 0 && kt > 0;
-        const auto& [armA, armB, separation, feature] = hit.point(i);
+        const auto& [armA, armB, then, feature] = hit.point(i);
         const Vec2 velocity = hit.relativeVelocity(i);
         points_.push_back({.a = hit.a,
                            .b = hit.b,
@@ -53,7 +53,7 @@ void SimultaneousImpacts::addPoints(const Impact& hit, const Tolerances& toleran
                            .tangentialMass = slides ? 1 / kt : 0,
                            .staticFriction = material.staticFriction,
                            .kineticFriction = material.kineticFriction,
-                           .impact = hit.contact->impulse[i].impact,
+                           .impact = hit.lane.impact(i),
                            .before = {dot(normal, velocity), dot(tangent, velocity)},
                            .hit = &hit,
                            .index = i});
@@ -132,9 +132,7 @@ bool SimultaneousImpacts::gainsEnergy() const {
 /// Adds the impulses to the contacts.
 void SimultaneousImpacts::storeImpulses() {
     for (const Point& point : points_) {
-        Contact& contact = *point.hit->contact;
-        contact.impulse[point.index].impact = point.impact;
-        contact.hasStepImpulses = true;
+        point.hit->lane.impact(point.index) = point.impact;
     }
 }
 

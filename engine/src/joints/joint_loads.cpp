@@ -40,14 +40,13 @@ const JointEnds* collidingEnds(const JointDef& def) {
         def);
 }
 
-/// Least separation (m) of the contacts of two bodies; infinite if none is near. While a contact is
-/// resident, its summary alone has the separation of this step.
+/// Least separation (m) of the contacts of two bodies; infinite if none is near.
 Real separationOf(const ContactSet& contactSet, std::uint32_t a, std::uint32_t b) {
     Real least = std::numeric_limits<Real>::infinity();
     contactSet.store().lists().forEach(a, [&](std::uint32_t slot) {
         const Contact& contact = contactSet.contacts()[slot];
         if ((contact.key.bodyA == b || contact.key.bodyB == b) && contact.responds()) {
-            least = std::min(least, contactSet.summaries()[slot].separation[0]);
+            least = std::min(least, contactSet.store().separation(slot));
         }
     });
     return least;

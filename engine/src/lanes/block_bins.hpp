@@ -5,7 +5,6 @@
 #include <cstdint>
 
 #include "lanes/contact_block.hpp"
-#include "lanes/refinement.hpp"
 
 namespace kodo {
 inline namespace KODO_PRECISION {
@@ -15,12 +14,13 @@ inline namespace KODO_PRECISION {
 /// bodies have their colours, and so have contacts with a body of infinite mass. Behind either, a
 /// further group has the blocks of contacts without a colour.
 struct BlockBins {
+    static constexpr std::uint32_t kLevels = 4; // see Refinement: 1, 2, 4 or 8 parts
     static constexpr std::uint32_t kFreeColours = 48;
     // Colours from kFreeColours on are for contacts with a body of infinite mass.
     static constexpr std::uint32_t kColours = 64;
     static constexpr std::uint32_t kGroups = kColours + 2;
     static constexpr std::uint32_t kLevelBins = 2 * kGroups; // by group: one point, two points
-    static constexpr std::uint32_t kBins = Refinement::kLevels * kLevelBins;
+    static constexpr std::uint32_t kBins = kLevels * kLevelBins;
 
     static constexpr std::uint32_t of(std::uint32_t level, std::uint32_t group, int points) {
         return level * kLevelBins + 2 * group + (points == 2 ? 1 : 0);

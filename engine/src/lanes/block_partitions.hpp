@@ -25,7 +25,7 @@ public:
         const ContactBlocks& blocks;
         std::uint32_t level;
         const ContactPassArguments& pass; // over the blocks of that level
-        std::span<const Contact> contacts;
+        std::span<const ContactSummary> contacts;
         std::span<const std::uint32_t> newcomers; // see ContactBlocks::arrange
         std::span<const std::uint32_t> bodies;    // that can be moved, in order
         std::size_t bodyCount;                    // all bodies

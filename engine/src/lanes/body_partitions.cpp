@@ -17,7 +17,7 @@ void BodyPartitions::find(const Bodies& bodies, std::span<const ContactSummary> 
     const std::uint32_t width = static_cast<std::uint32_t>(bodies.size() / kHistogramBins) + 1;
     std::array<std::uint32_t, kHistogramBins> counts{};
     for (const ContactSummary& summary : summaries) {
-        counts[summary.bodyA / width] += summary.row != ContactRow::kNone ? 1 : 0;
+        counts[summary.bodyA / width] += summary.inPasses() ? 1 : 0;
     }
     const std::size_t all = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
     first_.assign(1, 0);

@@ -2,12 +2,13 @@
 #pragma once
 
 #include "bodies/bodies.hpp"
-#include "contacts/contact.hpp"
 
 #include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
+
+#include "lanes/contact.hpp"
 
 namespace kodo {
 inline namespace KODO_PRECISION {

@@ -11,10 +11,10 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 /// Assigns a lane to every contact that has a colour, after a snapshot was read or most lanes were
 /// empty.
-void ContactBlocks::assignRows(std::span<Contact> contacts) {
+void ContactBlocks::assignRows(const ContactList& contacts) {
     layOut(contacts);
-    for (Contact& contact : contacts) {
-        assignRow(contact);
+    for (std::uint32_t slot = 0; slot < contacts.size(); ++slot) {
+        assignRow(contacts[slot]);
     }
     rowsAssigned_ = true;
     lanesStale_ = true;
@@ -23,12 +23,12 @@ void ContactBlocks::assignRows(std::span<Contact> contacts) {
 
 /// Adds as many blocks as the contacts need. The blocks of a partition and a colour are
 /// consecutive, in the order of a pass.
-void ContactBlocks::layOut(std::span<const Contact> contacts) {
+void ContactBlocks::layOut(const ContactList& contacts) {
     open_.assign(BlockBins::kBins * partitions_.count(), 0); // at first the numbers of contacts
-    for (const Contact& contact : contacts) {
-        if (contact.row.colour != ContactRow::kNoColour) {
-            const std::uint32_t group = BlockBins::groupOfColour(contact.row.colour);
-            ++openOf(binOf(group, contact), partitions_.of(contact.key.bodyA));
+    for (std::uint32_t slot = 0; slot < contacts.size(); ++slot) {
+        const ContactEntry entry = contacts[slot];
+        if (entry.summary.row.colour != ContactRow::kNoColour) {
+            ++openOf(binOf(entry), partitions_.of(entry.summary.bodyA));
         }
     }
     for (std::uint32_t place = 0; place < open_.size(); ++place) {
@@ -43,37 +43,37 @@ void ContactBlocks::layOut(std::span<const Contact> contacts) {
     }
 }
 
-void ContactBlocks::rebuildGraph(const Bodies& bodies, ContactSet& contacts,
-                                 std::uint32_t partitions) {
-    partitions_.find(bodies, contacts.summaries(), partitions);
-    evictAll(contacts.contacts(), bodies);
+void ContactBlocks::rebuildGraph(const Bodies& bodies, const ContactList& contacts,
+                                 std::span<const std::uint32_t> order, std::uint32_t partitions) {
+    partitions_.find(bodies, contacts.summaries, partitions);
+    leaveAll(contacts);
     forgetLanes();
-    layOut(contacts.contacts());
-    contacts.store().forEachInOrder(
-        [&](std::uint32_t slot) { assignRow(contacts.contacts()[slot]); });
+    layOut(contacts);
+    for (const std::uint32_t slot : order) {
+        assignRow(contacts[slot]);
+    }
     rowsAssigned_ = true;
     lanesStale_ = true;
     reorderPolicy_ = {};
 }
 
-void ContactBlocks::assignRow(Contact& contact) {
-    ContactRow& row = contact.row;
-    row.index = kNone;
+void ContactBlocks::assignRow(const ContactEntry& entry) {
+    ContactRow& row = entry.summary.row;
     if (row.colour == ContactRow::kNoColour) {
         return;
     }
     const std::uint64_t colour = std::uint64_t{1} << row.colour;
     const std::uint64_t colourA = row.fixedA ? 0 : colour;
     const std::uint64_t colourB = row.fixedB ? 0 : colour;
-    std::uint64_t& ofA = colours_[contact.key.bodyA];
-    std::uint64_t& ofB = colours_[contact.key.bodyB];
+    std::uint64_t& ofA = colours_[entry.summary.bodyA];
+    std::uint64_t& ofB = colours_[entry.summary.bodyB];
     if (((ofA & colourA) | (ofB & colourB)) != 0) {
         row = {}; // only for a forged snapshot
         return;
     }
     ofA |= colourA;
     ofB |= colourB;
-    giveLane(contact, binOf(BlockBins::groupOfColour(row.colour), contact));
+    giveLane(entry, binOf(entry));
 }
 
 /// Index of a block of the bin that has a free lane.
@@ -87,7 +87,6 @@ std::uint32_t ContactBlocks::addBlock(std::uint32_t bin, std::uint8_t partition)
     ContactBlock& lanes = blocks_.emplace_back();
     states_.reserve(blocks_.capacity());
     taken_.resize(blocks_.size() * ContactBlock::kContacts);
-    carried_.resize(taken_.size());
     use_.reserve(blocks_.capacity());
     passOrder_.reserve(blocks_.capacity());
     std::fill_n(lanes.a, ContactBlock::kContacts, velocityOffset(spare_));
@@ -99,22 +98,23 @@ std::uint32_t ContactBlocks::addBlock(std::uint32_t bin, std::uint8_t partition)
 
 /// Gives a contact without a colour a lane. Contacts of a body that has no free colour share
 /// blocks.
-void ContactBlocks::giveSingleLane(Contact& contact, std::uint32_t bin, Shared shared) {
+void ContactBlocks::giveSingleLane(const ContactEntry& entry, std::uint32_t bin, Shared shared) {
     if (shared == Shared::None) {
         const std::uint32_t block = openBlock(bin, 0);
         use_[block].shared = shared;
-        giveLaneOf(block, contact);
+        giveLaneOf(block, entry);
         openOf(bin, 0) = states_[block].nextOpen;
         return;
     }
     const bool isA = shared == Shared::BodyA;
-    const std::uint32_t body = isA ? contact.key.bodyA : contact.key.bodyB;
-    const std::uint32_t other = isA ? contact.key.bodyB : contact.key.bodyA;
+    const ContactSummary& summary = entry.summary;
+    const std::uint32_t body = isA ? summary.bodyA : summary.bodyB;
+    const std::uint32_t other = isA ? summary.bodyB : summary.bodyA;
     std::uint32_t& open = sharedOf_[body];
     const auto fits = [&](std::uint32_t block) {
         const ContactBlock& lanes = blocks_[block];
         const auto& others = isA ? lanes.b : lanes.a;
-        const bool fixed = isA ? contact.row.fixedB : contact.row.fixedA;
+        const bool fixed = isA ? summary.row.fixedB : summary.row.fixedA;
         return states_[block].bin == bin && use_[block].shared == shared &&
                states_[block].used != 0xff &&
                (fixed || std::find(std::begin(others), std::end(others), velocityOffset(other)) ==
@@ -130,20 +130,23 @@ void ContactBlocks::giveSingleLane(Contact& contact, std::uint32_t bin, Shared s
         ContactBlock& lanes = blocks_[open]; // also unused lanes have a copy
         std::fill_n(isA ? lanes.a : lanes.b, ContactBlock::kContacts, velocityOffset(body));
     }
-    giveLaneOf(open, contact);
+    giveLaneOf(open, entry);
 }
 
-void ContactBlocks::giveLane(Contact& contact, std::uint32_t bin) {
-    const std::uint8_t partition = partitions_.of(contact.key.bodyA);
+void ContactBlocks::giveLane(const ContactEntry& entry, std::uint32_t bin) {
+    const std::uint8_t partition = partitions_.of(entry.summary.bodyA);
     const std::uint32_t block = openBlock(bin, partition);
-    giveLaneOf(block, contact);
+    giveLaneOf(block, entry);
     if (states_[block].used == 0xff) {
         openOf(bin, partition) = states_[block].nextOpen;
     }
     ++reorderPolicy_.strayed;
 }
 
-void ContactBlocks::giveLaneOf(std::uint32_t block, Contact& contact) {
+/// Moves a contact from its waiting lane to one of the block.
+void ContactBlocks::giveLaneOf(std::uint32_t block, const ContactEntry& entry) {
+    const ContactNumbers numbers = waiting(entry.slot).numbers();
+    ContactRow& row = entry.summary.row;
     BlockState& state = states_[block];
     const auto lane = static_cast<std::uint32_t>(std::countr_one(state.used));
     orderStale_ = orderStale_ || state.used == 0;
@@ -152,15 +155,16 @@ void ContactBlocks::giveLaneOf(std::uint32_t block, Contact& contact) {
     const auto put = [&](std::uint8_t& lanes, bool value) {
         lanes = static_cast<std::uint8_t>(value ? lanes | mask : lanes & ~mask);
     };
-    put(state.fixedA, contact.row.fixedA);
-    put(state.fixedB, contact.row.fixedB);
-    put(use_[block].movesA, !contact.row.fixedA);
-    put(use_[block].movesB, !contact.row.fixedB);
+    put(state.fixedA, row.fixedA);
+    put(state.fixedB, row.fixedB);
+    put(use_[block].movesA, !row.fixedA);
+    put(use_[block].movesB, !row.fixedB);
     ++rows_[BlockBins::levelOf(state.bin)];
-    contact.row.index = block * ContactBlock::kContacts + lane;
-    taken_[contact.row.index] = 1;
-    blocks_[block].a[lane] = velocityOffset(contact.key.bodyA);
-    blocks_[block].b[lane] = velocityOffset(contact.key.bodyB);
+    row.index = block * ContactBlock::kContacts + lane;
+    taken_[row.index] = 1;
+    blocks_[block].a[lane] = velocityOffset(entry.summary.bodyA);
+    blocks_[block].b[lane] = velocityOffset(entry.summary.bodyB);
+    this->lane(entry.slot, entry.summary) = numbers;
 }
 
 void ContactBlocks::forgetLanes() {
@@ -171,7 +175,6 @@ void ContactBlocks::forgetLanes() {
             colours_[bodyOfPlace(blocks_[block].b[lane])] = 0;
         }
     }
-    carried_.clear();
     taken_.clear();
     blocks_.clear();
     use_.clear();

@@ -2,10 +2,11 @@
 #pragma once
 
 #include "bodies/bodies.hpp"
-#include "contacts/contact.hpp"
 #include "math/softness.hpp"
 
 #include <cstdint>
+
+#include "lanes/contact.hpp"
 
 namespace kodo {
 inline namespace KODO_PRECISION {
@@ -45,7 +46,11 @@ struct alignas(64) ContactBlock {
         Each largest;    // N s, largest impulse of a substep
     };
     Point points[2];
-    Each tangentLeverA; // m, for the mean of both points, which share one friction impulse
+    Each relativeDisplacement; // m; these four are not used by the passes: see ContactNumbers
+    Each approachSpeed;        // m/s
+    Each impact[2];            // N s
+    Each rolling;              // N m s, of the substep; see RollingBlock
+    Each tangentLeverA;        // m, for the mean of both points, which share one friction impulse
     Each tangentLeverB;
     Each tangentMass;    // kg
     Each friction;       // N s
@@ -54,13 +59,12 @@ struct alignas(64) ContactBlock {
     Each pushSpeed; // m/s, largest speed that separates an overlap
     Each total;     // N s, normal impulses, sum over the step
 };
-static_assert(sizeof(ContactBlock) == 8 * (2 * 4 + 22 * sizeof(Real)));
+static_assert(sizeof(ContactBlock) - 8 * (2 * 4 + 27 * sizeof(Real)) < 64);
 
 /// Coefficients of the contacts of a block that have rolling resistance.
 struct RollingBlock {
-    ContactBlock::Each lever;   // m; 0 without rolling resistance
-    ContactBlock::Each mass;    // kg m^2
-    ContactBlock::Each impulse; // N m s
+    ContactBlock::Each lever; // m; 0 without rolling resistance
+    ContactBlock::Each mass;  // kg m^2
 };
 
 /// The body that all lanes of a block share. Each lane pushes a copy of it with an eighth of mass
@@ -103,9 +107,8 @@ struct ContactPassArguments {
 
 /// Advances the contacts of `count` blocks to the start of a step. `motion` still has the
 /// displacements of the last step.
-struct CarryArguments {
+struct AdvanceArguments {
     ContactBlock* blocks;
-    Carried* carried; // by row
     const BlockUse* use;
     const std::uint32_t* order;
     std::size_t count;
@@ -117,7 +120,7 @@ struct CarryArguments {
 /// The passes compiled for one instruction set. All instruction sets give bit-identical results.
 struct ContactPasses {
     using Pass = void (*)(const ContactPassArguments&);
-    using Carry = void (*)(const CarryArguments&);
+    using Advance = void (*)(const AdvanceArguments&);
 
     const char* name; // for tests
     Pass warmStart;   // applies the accumulated impulses
@@ -125,7 +128,7 @@ struct ContactPasses {
     Pass
         relaxNormal; // without bias, normal impulses only: removes the velocity that the bias added
     Pass relax;      // without bias, with friction if enabled; adds up the sums of the step
-    Carry carry;
+    Advance advance;
 
     static const ContactPasses& baseline();
     /// nullptr if the build or the machine lacks AVX2.

@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "lanes/contact_lane.hpp"
 #include "lanes/leverage.hpp"
 
 namespace kodo {
@@ -30,20 +31,17 @@ std::pair<BodyVelocity, BodyVelocity> masses(const Bodies& bodies, const Contact
     return {a, b};
 }
 
+/// Coefficients of a point.
 struct PointValues {
     Real leverA = 0;
     Real leverB = 0;
     Real mass = 0;
-    Real separation = 0;
-    Real impulse = 0;
 };
 
 void writePoint(ContactBlock::Point& point, std::size_t lane, const PointValues& values) {
     point.leverA[lane] = values.leverA;
     point.leverB[lane] = values.leverB;
     point.mass[lane] = values.mass;
-    point.separation[lane] = values.separation;
-    point.impulse[lane] = values.impulse;
     point.largest[lane] = 0;
 }
 
@@ -54,7 +52,6 @@ void fillLane(ContactBlock& block, std::size_t lane, const Bodies& bodies, const
     const std::pair<BodyVelocity, BodyVelocity> both = masses(bodies, contact, rules.shared);
     const BodyVelocity& a = both.first;
     const BodyVelocity& b = both.second;
-    const Real parts = rules.parts;
     const Manifold& manifold = contact.manifold;
     const Vec2 n = manifold.normal;
     block.normalX[lane] = n.x;
@@ -64,12 +61,12 @@ void fillLane(ContactBlock& block, std::size_t lane, const Bodies& bodies, const
         const Real leverA = leverOf(p.armA, n);
         const Real leverB = leverOf(p.armB, n);
         if (isBlocked(bodies, contact, i)) { // no effective mass: no impulse
-            writePoint(block.points[i], lane, {leverA, leverB, 0, p.separation, 0});
-            return;
+            writePoint(block.points[i], lane, {leverA, leverB, 0});
+            block.points[i].impulse[lane] = 0;
+        } else {
+            writePoint(block.points[i], lane,
+                       {leverA, leverB, effectiveMass(a, b, leverA, leverB)});
         }
-        writePoint(block.points[i], lane,
-                   {leverA, leverB, effectiveMass(a, b, leverA, leverB), p.separation,
-                    contact.impulse[i].normal / parts});
     };
     setPoint(0);
     Vec2 meanA = manifold.points[0].armA;
@@ -80,55 +77,39 @@ void fillLane(ContactBlock& block, std::size_t lane, const Bodies& bodies, const
         meanB = Real(0.5) * (meanB + manifold.points[1].armB);
     } else {
         writePoint(block.points[1], lane, {});
+        block.points[1].separation[lane] = block.points[1].impulse[lane] = 0;
     }
     block.tangentLeverA[lane] = cross(meanA, perp(n));
     block.tangentLeverB[lane] = cross(meanB, perp(n));
     block.tangentMass[lane] =
         effectiveMass(a, b, block.tangentLeverA[lane], block.tangentLeverB[lane]);
-    block.friction[lane] = contact.friction / parts;
-    block.staticFriction[lane] =
-        contact.sliding ? -contact.material.staticFriction : contact.material.staticFriction;
+    block.staticFriction[lane] = block.staticFriction[lane] < 0 ? -contact.material.staticFriction
+                                                                : contact.material.staticFriction;
     block.kineticFriction[lane] = contact.material.kineticFriction;
     block.pushSpeed[lane] = rules.pushSpeed;
     block.total[lane] = 0;
 }
 
-void fillLane(RollingBlock& block, std::size_t lane, const Bodies& bodies, const Contact& contact,
-              const LaneRules& rules) {
-    const std::pair<BodyVelocity, BodyVelocity> both = masses(bodies, contact, rules.shared);
+void fillLane(RollingBlock& rolling, ContactBlock& block, std::size_t lane, const Bodies& bodies,
+              const Contact& contact, Shared shared) {
+    const std::pair<BodyVelocity, BodyVelocity> both = masses(bodies, contact, shared);
     const BodyVelocity& a = both.first;
     const BodyVelocity& b = both.second;
     const bool rolls = contact.material.rollingResistance > 0 && a.invInertia + b.invInertia > 0;
-    block.lever[lane] = rollingLever(contact, a, b);
-    block.mass[lane] = rolls ? 1 / (a.invInertia + b.invInertia) : Real(0);
-    block.impulse[lane] = rolls ? contact.rolling / rules.parts : Real(0);
-}
-
-void readImpulses(const ContactBlock& block, std::size_t lane, Contact& contact, Real parts) {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
-        contact.impulse[i].normal = parts * block.points[i].impulse[lane];
-    }
-    contact.friction = parts * block.friction[lane];
-    contact.sliding = block.staticFriction[lane] < 0;
-}
-
-void readImpactImpulses(const ContactBlock& block, std::size_t lane, Contact& contact, Real parts) {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
-        contact.impulse[i].largest = parts * block.points[i].largest[lane];
-    }
-    contact.total = block.total[lane];
-    contact.hasStepImpulses = true;
+    rolling.lever[lane] = rollingLever(contact, a, b);
+    rolling.mass[lane] = rolls ? 1 / (a.invInertia + b.invInertia) : Real(0);
+    block.rolling[lane] = rolls ? block.rolling[lane] : Real(0);
 }
 
 void clearLane(ContactBlock& block, std::size_t lane) {
     for (ContactBlock::Point& point : block.points) {
         writePoint(point, lane, {});
     }
-    for (ContactBlock::Each* each :
-         {&block.normalX, &block.normalY, &block.tangentLeverA, &block.tangentLeverB,
-          &block.tangentMass, &block.friction, &block.total}) {
+    for (ContactBlock::Each* each : {&block.normalX, &block.normalY, &block.tangentLeverA,
+                                     &block.tangentLeverB, &block.tangentMass}) {
         (*each)[lane] = 0;
     }
+    ContactLane(block, lane) = ContactNumbers{};
 }
 
 } // namespace KODO_PRECISION

@@ -12,10 +12,10 @@ inline namespace KODO_PRECISION {
 namespace {
 
 /// True if the colour of the contact still fits its bodies.
-bool keepsColour(const Bodies& bodies, const Contact& contact) {
-    const ContactRow& row = contact.row;
-    const BodyVelocity& a = bodies.motion[contact.key.bodyA];
-    const BodyVelocity& b = bodies.motion[contact.key.bodyB];
+bool keepsColour(const Bodies& bodies, const ContactSummary& summary) {
+    const ContactRow& row = summary.row;
+    const BodyVelocity& a = bodies.motion[summary.bodyA];
+    const BodyVelocity& b = bodies.motion[summary.bodyB];
     const bool onLocked = a.invMass == 0 || b.invMass == 0;
     return row.colour != ContactRow::kNoColour &&
            (row.colour >= BlockBins::kFreeColours) == onLocked && row.fixedA == a.locked() &&
@@ -35,30 +35,14 @@ std::uint8_t removedLanes(const BlockState& state, const std::uint8_t* taken) {
 
 } // namespace
 
-void ContactBlocks::refine(const Refinement& refinement, ContactSet& contacts,
-                           const Bodies& bodies) {
-    refinedLevels_.assign(refinement.levels().begin(), refinement.levels().end());
-    const std::span<const ContactSummary> summaries = contacts.summaries();
-    for (std::uint32_t slot = 0; slot < summaries.size(); ++slot) {
-        Contact& contact = contacts.contacts()[slot];
-        if (summaries[slot].row != kNone &&
-            BlockBins::levelOf(states_[blockOf(summaries[slot].row)].bin) != levelOf(contact)) {
-            evict(contact, bodies);
-            contact.carried = false; // so that take() requests another lane
-            contacts.noteRow(slot);
-        }
-    }
-}
-
-void ContactBlocks::begin(const Bodies& bodies, std::span<Contact> contacts, bool friction,
-                          bool rolling) {
+void ContactBlocks::begin(const ContactList& contacts, bool friction, bool rolling) {
     const std::size_t bins = BlockBins::kLevelBins * (refinedLevels_.empty() ? 1 : kLevels);
-    if (passOrder_.blocks().size() > singles_ + bins * partitions_.count() + size() / 4) {
-        // Most lanes are empty.
-        evictAll(contacts, bodies);
+    const std::size_t full = singles_ + bins * partitions_.count() + size() / 4;
+    if (passOrder_.blocks().size() > full || blocks_.size() > kFewBlocks + contacts.size()) {
+        // Most lanes are empty, as after a large pile has fallen asleep.
+        leaveAll(contacts);
         forgetLanes();
     }
-    shrink(bodies, contacts);
     singles_ = 0;
     ++lanesState_;
     if (!rowsAssigned_) {
@@ -78,38 +62,28 @@ void ContactBlocks::begin(const Bodies& bodies, std::span<Contact> contacts, boo
     std::fill(taken_.begin(), taken_.end(), std::uint8_t{0});
 }
 
-void ContactBlocks::shrink(const Bodies& bodies, std::span<Contact> contacts) {
-    if (blocks_.size() > kFewBlocks + contacts.size()) {
-        writeBackAll(contacts, bodies);
-        forgetLanes();
-    }
-}
-
 /// True if the contact needs a RollingBlock that its block lacks.
-bool ContactBlocks::needsRolling(const Contact& contact) const {
-    return features_.rolling && contact.material.rollingResistance > 0 &&
-           use_[blockOf(contact.row.index)].rolling < 0;
+bool ContactBlocks::needsRolling(const ContactEntry& entry) const {
+    return features_.rolling && entry.contact.material.rollingResistance > 0 &&
+           use_[blockOf(entry.summary.row.index)].rolling < 0;
 }
 
-bool ContactBlocks::take(const Bodies& bodies, Contact& contact) {
-    ContactRow& row = contact.row;
-    if (row.colour != ContactRow::kNoColour && contact.carried && !lanesStale_) {
-        keep(row.index);
-        if (!row.resident) {
-            makeResident(contact);
+bool ContactBlocks::take(const Bodies& bodies, const ContactEntry& entry) {
+    auto& [contact, summary, slot] = entry;
+    const bool valid =
+        contact.filled && !lanesStale_ && summary.row.colour != ContactRow::kNoColour;
+    if (!valid && !keepsColour(bodies, summary)) {
+        leave(entry);
+        return false;
+    }
+    taken_[summary.row.index] = 1;
+    if (!valid) {
+        if (!fitsBin(entry) || needsRolling(entry)) {
+            return false;
         }
-        return true;
+        fill(bodies, entry);
     }
-    evict(contact, bodies);
-    if (!keepsColour(bodies, contact)) {
-        return false;
-    }
-    taken_[row.index] = 1;
-    if (states_[blockOf(row.index)].bin != binOf(BlockBins::groupOfColour(row.colour), contact) ||
-        needsRolling(contact)) {
-        return false;
-    }
-    fill(bodies, contact);
+    summary.kept = lane(slot, summary).impacts() == 0; // impacts are reset in the next step
     return true;
 }
 
@@ -135,12 +109,6 @@ void ContactBlocks::freeLanes(const Bodies& bodies) {
                     static_cast<std::uint32_t>(std::countr_zero(rest)));
         }
     }
-}
-
-void ContactBlocks::releaseAll(const Bodies& bodies) {
-    std::fill(taken_.begin(), taken_.end(), std::uint8_t{0});
-    freeLanes(bodies);
-    anyResident_ = false; // so that carry() skips the empty lanes
 }
 
 /// Frees a lane and the colour of its contact.
@@ -172,23 +140,22 @@ void ContactBlocks::empty(std::uint32_t row) {
     ContactBlock& block = blocks_[blockOf(row)];
     const std::size_t lane = laneOf(row);
     clearLane(block, lane);
-    carried_[row] = {}; // else carry() would restore the old separations
     block.a[lane] = block.b[lane] = velocityOffset(spare_);
     use_[blockOf(row)].movesA &= static_cast<std::uint8_t>(~laneMask(row));
     use_[blockOf(row)].movesB &= static_cast<std::uint8_t>(~laneMask(row));
     if (const std::int32_t rolling = use_[blockOf(row)].rolling; rolling >= 0) {
         RollingBlock& own = rolling_[static_cast<std::size_t>(rolling)];
-        own.lever[lane] = own.mass[lane] = own.impulse[lane] = 0;
+        own.lever[lane] = own.mass[lane] = 0;
     }
 }
 
-void ContactBlocks::colourNewcomer(const Bodies& bodies, Contact& contact) {
-    const std::uint32_t a = contact.key.bodyA;
-    const std::uint32_t b = contact.key.bodyB;
+void ContactBlocks::colourNewcomer(const Bodies& bodies, const ContactEntry& entry) {
+    const std::uint32_t a = entry.summary.bodyA;
+    const std::uint32_t b = entry.summary.bodyB;
     const BodyVelocity& motionA = bodies.motion[a];
     const BodyVelocity& motionB = bodies.motion[b];
     const bool onLocked = motionA.invMass == 0 || motionB.invMass == 0;
-    ContactRow& row = contact.row;
+    ContactRow& row = entry.summary.row;
     row = {};
     row.fixedA = motionA.locked();
     row.fixedB = motionB.locked();
@@ -207,7 +174,7 @@ void ContactBlocks::colourNewcomer(const Bodies& bodies, Contact& contact) {
             return std::popcount(colours_[body]) <= kFewColours;
         };
         ++singles_;
-        giveSingleLane(contact, binOf(group, contact),
+        giveSingleLane(entry, binOf(group, entry),
                        isFull(a) && !row.fixedA && hasFew(b)   ? Shared::BodyA
                        : isFull(b) && !row.fixedB && hasFew(a) ? Shared::BodyB
                                                                : Shared::None);
@@ -215,25 +182,28 @@ void ContactBlocks::colourNewcomer(const Bodies& bodies, Contact& contact) {
         row.colour = static_cast<std::uint8_t>(colour);
         colours_[a] |= row.fixedA ? 0 : std::uint64_t{1} << colour;
         colours_[b] |= row.fixedB ? 0 : std::uint64_t{1} << colour;
-        giveLane(contact, binOf(BlockBins::groupOfColour(colour), contact));
+        giveLane(entry, binOf(entry));
     }
 }
 
-void ContactBlocks::arrange(const Bodies& bodies, std::span<Contact> contacts,
+void ContactBlocks::arrange(const Bodies& bodies, const ContactList& contacts,
                             std::span<const std::uint32_t> newcomers,
                             std::span<const std::uint16_t> crowd, Real pushSpeed) {
     freeLanes(bodies);
-    for (const std::uint32_t place : newcomers) {
-        Contact& contact = contacts[place];
-        if (!keepsColour(bodies, contact)) {
-            colourNewcomer(bodies, contact);
-        } else if (const std::uint32_t bin =
-                       binOf(BlockBins::groupOfColour(contact.row.colour), contact);
-                   states_[blockOf(contact.row.index)].bin != bin) {
-            empty(contact.row.index);
-            giveLane(contact, bin);
+    for (const std::uint32_t slot : newcomers) {
+        const ContactEntry entry = contacts[slot];
+        auto& [contact, summary, place] = entry;
+        if (!summary.inPasses()) {
+            colourNewcomer(bodies, entry);
+        } else if (!fitsBin(entry)) {
+            const std::uint32_t before = summary.row.index;
+            leave(entry);
+            empty(before);
+            giveLane(entry, binOf(entry));
         }
-        fill(bodies, contact);
+        fill(bodies, entry);
+        summary.kept =
+            summary.row.colour != ContactRow::kNoColour && lane(slot, summary).impacts() == 0;
     }
     for (const std::uint32_t body : sharedBodies_) {
         sharedOf_[body] = kNone;
@@ -244,7 +214,6 @@ void ContactBlocks::arrange(const Bodies& bodies, std::span<Contact> contacts,
     }
     setPushSpeeds(crowd, pushSpeed);
     lanesStale_ = false;
-    anyResident_ = true;
 }
 
 void ContactBlocks::setPushSpeeds(std::span<const std::uint16_t> crowd, Real pushSpeed) {
@@ -266,27 +235,27 @@ void ContactBlocks::setPushSpeeds(std::span<const std::uint16_t> crowd, Real pus
     }
 }
 
-void ContactBlocks::fill(const Bodies& bodies, Contact& contact) {
-    const std::size_t lane = laneOf(contact.row.index);
-    ContactBlock& block = blocks_[blockOf(contact.row.index)];
-    const LaneRules rules{pushLimit_.speed,
-                          BlockBins::partsOf(states_[blockOf(contact.row.index)].bin),
-                          use_[blockOf(contact.row.index)].shared};
-    fillLane(block, lane, bodies, contact, rules);
+void ContactBlocks::fill(const Bodies& bodies, const ContactEntry& entry) {
+    Contact& contact = entry.contact;
+    const std::uint32_t row = entry.summary.row.index;
+    const std::size_t lane = laneOf(row);
+    ContactBlock& block = blocks_[blockOf(row)];
+    BlockUse& use = use_[blockOf(row)];
+    fillLane(block, lane, bodies, contact, {pushLimit_.speed, use.shared});
     if (contact.material.staticFriction > contact.material.kineticFriction) {
-        use_[blockOf(contact.row.index)].unlike = true;
+        use.unlike = true;
     }
-    std::int32_t& place = use_[blockOf(contact.row.index)].rolling;
-    const bool rolls = features_.rolling && contact.material.rollingResistance > 0;
-    if (rolls && place < 0) {
-        place = static_cast<std::int32_t>(rolling_.size());
+    if (features_.rolling && contact.material.rollingResistance > 0 && use.rolling < 0) {
+        use.rolling = static_cast<std::int32_t>(rolling_.size());
         rolling_.emplace_back();
     }
-    if (place >= 0) {
-        fillLane(rolling_[static_cast<std::size_t>(place)], lane, bodies, contact, rules);
+    if (use.rolling >= 0) {
+        fillLane(rolling_[static_cast<std::size_t>(use.rolling)], block, lane, bodies, contact,
+                 use.shared);
+    } else {
+        block.rolling[lane] = 0;
     }
-    contact.carried = true;
-    makeResident(contact);
+    contact.filled = true;
 }
 
 ContactPassArguments ContactBlocks::pass(Bodies& bodies, std::uint32_t level,

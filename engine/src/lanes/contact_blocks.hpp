@@ -3,19 +3,20 @@
 
 #include "base/reorder_policy.hpp"
 #include "base/worker_team.hpp"
-#include "contacts/contact_set.hpp"
+#include "bodies/bodies.hpp"
 
 #include <algorithm>
 #include <array>
 #include <numeric>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "lanes/block_bins.hpp"
 #include "lanes/body_partitions.hpp"
 #include "lanes/contact_block.hpp"
+#include "lanes/contact_lane.hpp"
 #include "lanes/pass_order.hpp"
-#include "lanes/refinement.hpp"
 
 namespace kodo {
 inline namespace KODO_PRECISION {
@@ -24,11 +25,11 @@ inline namespace KODO_PRECISION {
 /// different colours. A new contact takes the lowest free colour. The passes go through the blocks
 /// colour by colour. Contacts with a body of infinite mass come last, so that they dominate.
 ///
-/// A contact keeps its colour and its lane from step to step. While its manifold is valid its state
-/// is resident in the lane, which saves most of the work. Results depend on colours only, not on
-/// lanes, so a snapshot stores only colours. A contact without a free colour gets a lane in a block
-/// for its body, or a block of its own, newly assigned in every step.
-class ContactBlocks {
+/// A contact keeps its colour and its lane from step to step. Results depend on colours only, not
+/// on lanes, so a snapshot stores only colours. A contact without a free colour gets a lane in a
+/// block for its body, or a block of its own, newly assigned in every step. A contact that the
+/// passes do not need has a waiting lane, which no pass visits, at the index of its slot.
+class ContactBlocks : public ContactLanes {
 public:
     /// Deep overlaps that a body may have before their contacts share the push speed. No more
     /// bodies fit around one.
@@ -38,48 +39,52 @@ public:
     static constexpr int kMostOverlaps = 16;
 
     /// Blocks of one level of Refinement, and of one colour after the other.
-    static constexpr std::uint32_t kLevels = Refinement::kLevels;
-    /// Sets the levels of the bodies from now on, after these have changed. Contacts store the
-    /// impulses of a whole substep, lanes those of its parts.
-    void refine(const Refinement& refinement, ContactSet& contacts, const Bodies& bodies);
+    static constexpr std::uint32_t kLevels = BlockBins::kLevels;
+    /// Sets the levels of the bodies from now on, after these have changed.
+    void refine(std::span<const std::uint8_t> levels) {
+        refinedLevels_.assign(levels.begin(), levels.end());
+    }
+    /// False for a contact in the passes that belongs to blocks of another level.
+    bool hasLevel(const ContactSummary& summary) const {
+        return !summary.inPasses() ||
+               BlockBins::levelOf(states_[blockOf(summary.row.index)].bin) == levelOf(summary);
+    }
     /// Starts a step, before take(). Contacts of the last step may be gone. `friction` and
     /// `rolling` are true if that feature is on.
-    void begin(const Bodies& bodies, std::span<Contact> contacts, bool friction, bool rolling);
-    /// After the removal of contacts: forgets all lanes if blocks outnumber the contacts.
-    void shrink(const Bodies& bodies, std::span<Contact> contacts);
-    /// Before begin(): advances the resident contacts to the start of the step.
-    void carry(Bodies& bodies, WorkerTeam& team);
-    /// State of the resident contacts by row; empty if none is resident.
-    std::span<const Carried> carried() const {
-        return anyResident_ ? std::span<const Carried>(carried_) : std::span<const Carried>();
-    }
-    /// Before begin(): rebuilds the graph for a number of partitions. Lanes are assigned in the
-    /// order of bodies, and the blocks of a colour are consecutive. So a pass reads memory in
-    /// order, and each partition mostly moves bodies of its own. Contacts that come and go degrade
-    /// this order.
-    void rebuildGraph(const Bodies& bodies, ContactSet& contacts, std::uint32_t partitions);
+    void begin(const ContactList& contacts, bool friction, bool rolling);
+    /// Before begin(): advances the contacts in the passes to the start of the step.
+    void advance(Bodies& bodies, WorkerTeam& team);
+    /// Before begin(): assigns the lanes of the contacts `order` anew, for a number of partitions.
+    /// In the order of keys, a pass reads memory in order, and each partition mostly moves bodies
+    /// of its own. Contacts that come and go degrade this order.
+    void rebuildGraph(const Bodies& bodies, const ContactList& contacts,
+                      std::span<const std::uint32_t> order, std::uint32_t partitions);
     /// Counts a step. True if a rebuild is due, which affects only the duration of steps.
-    bool countReorder() { return reorderPolicy_.countStep(size()); }
+    bool countReorder() {
+        return reorderPolicy_.countStep(size()) || std::exchange(rebuildDue_, false);
+    }
+    /// A rebuild is due in the next step.
+    void rebuildSoon() { rebuildDue_ = true; }
     const BodyPartitions& partitions() const { return partitions_; }
     const BlockState& stateOf(std::size_t block) const { return states_[block]; }
     /// Takes a contact that responds into the step. False if it needs another lane, which arrange()
     /// assigns. Several threads may take different contacts at once.
-    bool take(const Bodies& bodies, Contact& contact);
-    /// take() for a contact whose lane has all of its state.
+    bool take(const Bodies& bodies, const ContactEntry& entry);
+    /// take() for a kept contact.
     void keep(std::uint32_t row) { taken_[row] = 1; }
     /// Invalidates the lanes for the next step, after a change of contacts or of movable bodies.
     void discardLanes() { lanesStale_ = true; }
     /// True if kept contacts need only keep(): their lanes are valid in this step.
-    bool keepsLanes() const { return anyResident_ && !lanesStale_; }
+    bool keepsLanes() const { return !lanesStale_; }
     /// After the last take(): assigns lanes to the newcomers, given by contact index in order.
     /// `crowd` is the number of deep overlaps by body, or empty if no body exceeds kNeighbours. The
     /// contacts of a body that exceeds it share `pushSpeed` (m/s).
-    void arrange(const Bodies& bodies, std::span<Contact> contacts,
+    void arrange(const Bodies& bodies, const ContactList& contacts,
                  std::span<const std::uint32_t> newcomers, std::span<const std::uint16_t> crowd,
                  Real pushSpeed);
 
-    /// Replaces begin() to arrange() in a step in which no contact responds.
-    void releaseAll(const Bodies& bodies);
+    /// Replaces begin() to arrange() in a step in which no contact is in the passes.
+    void forgetLanes();
 
     /// A pass over the blocks of a level.
     ContactPassArguments pass(Bodies& bodies, std::uint32_t level, const PassSettings& settings);
@@ -99,27 +104,9 @@ public:
 
     /// After the passes: updates touched(). A point touches if it had an impulse, or if its
     /// separation is at most `slop` (m).
-    void noteTouching(Real slop, WorkerTeam& team);
-    /// By row: true if the contact touched in the last step. The entry behind the last row is
-    /// false.
+    void findTouching(Real slop, WorkerTeam& team);
+    /// By row: true if the contact touched in the last step.
     std::span<const std::uint8_t> touched() const { return touching_; }
-
-    /// Coefficients and impulses of a contact in the passes.
-    struct Lane {
-        ContactBlock& block;
-        RollingBlock* rolling; // or nullptr
-        std::size_t lane;
-    };
-    Lane laneAt(std::uint32_t row);
-
-    /// Writes the state of a resident contact back as far as the next step needs it. The contact is
-    /// not resident then.
-    void evict(Contact& contact, const Bodies& bodies) const;
-    void evictAll(std::span<Contact> contacts, const Bodies& bodies);
-    /// evict() that also writes the impulses of the last step, for the record.
-    void writeBack(Contact& contact, const Bodies& bodies) const;
-    /// Writes all resident contacts back, unless that was done since the last step.
-    void writeBackAll(std::span<Contact> contacts, const Bodies& bodies);
 
 private:
     static constexpr std::uint32_t kFreeColours = BlockBins::kFreeColours;
@@ -132,35 +119,40 @@ private:
     // Below, the hardware prefetches as well.
     static constexpr std::size_t kNearBytes = 3 << 20;
 
-    std::uint32_t levelOf(const Contact& contact) const {
+    std::uint32_t levelOf(const ContactSummary& summary) const {
         return refinedLevels_.empty()
                    ? 0u
-                   : std::max(refinedLevels_[contact.key.bodyA], refinedLevels_[contact.key.bodyB]);
+                   : std::max(refinedLevels_[summary.bodyA], refinedLevels_[summary.bodyB]);
     }
-    std::uint32_t binOf(std::uint32_t group, const Contact& contact) const {
-        return BlockBins::of(levelOf(contact), group, contact.manifold.count);
+    std::uint32_t binOf(std::uint32_t group, const ContactEntry& entry) const {
+        return BlockBins::of(levelOf(entry.summary), group, entry.contact.manifold.count);
+    }
+    std::uint32_t binOf(const ContactEntry& entry) const {
+        return binOf(BlockBins::groupOfColour(entry.summary.row.colour), entry);
+    }
+    bool fitsBin(const ContactEntry& entry) const {
+        return states_[blockOf(entry.summary.row.index)].bin == binOf(entry);
     }
     bool areFar() const { return blocks_.size() * sizeof(ContactBlock) > kNearBytes; }
-    bool needsRolling(const Contact& contact) const;
-    void makeResident(Contact& contact);
-    void assignRows(std::span<Contact> contacts);
-    void assignRow(Contact& contact);
-    void forgetLanes();
+    bool needsRolling(const ContactEntry& entry) const;
+    void assignRows(const ContactList& contacts);
+    void assignRow(const ContactEntry& entry);
+    void leaveAll(const ContactList& contacts);
     void freeLanes(const Bodies& bodies);
-    void colourNewcomer(const Bodies& bodies, Contact& contact);
+    void colourNewcomer(const Bodies& bodies, const ContactEntry& entry);
     std::uint32_t& openOf(std::uint32_t bin, std::uint32_t partition) {
         return open_[partition * BlockBins::kBins + bin];
     }
-    void layOut(std::span<const Contact> contacts);
+    void layOut(const ContactList& contacts);
     std::uint32_t addBlock(std::uint32_t bin, std::uint8_t partition);
     std::uint32_t openBlock(std::uint32_t bin, std::uint8_t partition);
-    void giveLane(Contact& contact, std::uint32_t bin);
-    void giveSingleLane(Contact& contact, std::uint32_t bin, Shared shared);
-    void giveLaneOf(std::uint32_t block, Contact& contact);
+    void giveLane(const ContactEntry& entry, std::uint32_t bin);
+    void giveSingleLane(const ContactEntry& entry, std::uint32_t bin, Shared shared);
+    void giveLaneOf(std::uint32_t block, const ContactEntry& entry);
     void release(std::uint32_t row);
     void empty(std::uint32_t row);
     void setPushSpeeds(std::span<const std::uint16_t> crowd, Real pushSpeed);
-    void fill(const Bodies& bodies, Contact& contact);
+    void fill(const Bodies& bodies, const ContactEntry& entry);
 
     struct Features {
         bool friction = true;
@@ -173,30 +165,27 @@ private:
     };
 
     std::vector<std::uint64_t> colours_; // by body: mask of the colours of its contacts
-    std::vector<ContactBlock> blocks_;
-    std::vector<BlockUse> use_;      // by block
-    std::vector<BlockState> states_; // by block
+    std::vector<BlockUse> use_;          // by block
     std::vector<RollingBlock> rolling_;
     PassOrder passOrder_;
-    std::array<std::size_t, kLevels> rows_{};  // by level: lanes in use
-    std::size_t singles_ = 0;                  // lanes in use without a colour
-    std::vector<std::uint32_t> sharedOf_;      // by body without a free colour: its open block
-    std::vector<std::uint32_t> sharedBodies_;  // scratch of arrange(): bodies in sharedOf_
-    std::vector<std::uint8_t> refinedLevels_;  // by body; empty if all are 0
-    std::vector<Carried> carried_;             // by row
-    std::vector<std::uint8_t> taken_;          // by row: taken in this step
-    std::vector<std::uint8_t> touching_ = {0}; // by row: touched in the last step; one more: false
-    std::vector<std::uint32_t> open_;          // by partition and bin: a block with a free lane
+    std::array<std::size_t, kLevels> rows_{}; // by level: lanes in use
+    std::size_t singles_ = 0;                 // lanes in use without a colour
+    std::vector<std::uint32_t> sharedOf_;     // by body without a free colour: its open block
+    std::vector<std::uint32_t> sharedBodies_; // scratch of arrange(): bodies in sharedOf_
+    std::vector<std::uint8_t> refinedLevels_; // by body; empty if all are 0
+    std::vector<std::uint8_t> taken_;         // by row: taken in this step
+    std::vector<std::uint8_t> touching_;      // by row: touched in the last step
+    std::vector<std::uint32_t> open_;         // by partition and bin: a block with a free lane
     BodyPartitions partitions_;
     ReorderPolicy reorderPolicy_; // for lanes of contacts with a colour
     std::uint64_t lanesState_ = 0;
     std::uint32_t spare_ = 0;
     PushLimit pushLimit_;
     Features features_;
-    bool anyResident_ = false;
     bool lanesStale_ = true;    // lanes are invalid in this step
     bool rowsAssigned_ = false; // every contact with a colour has a lane
     bool orderStale_ = true;
+    bool rebuildDue_ = false;
 };
 
 } // namespace KODO_PRECISION

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Included by contact_passes*.cpp, each of which is compiled for one instruction set. All functions
 // have internal linkage and call no inline function from elsewhere; lanes.hpp gives the reason.
-#include "lanes/contact_carry.inl"
+#include "lanes/contact_advance.inl"
 #include "lanes/contact_friction.inl"
 #include "lanes/contact_lanes.inl"
 
@@ -106,12 +106,13 @@ KODO_LANES_INLINE Lanes pushPoint(ContactBlock::Point& point, int at, Lanes uncl
     return next - impulse;
 }
 
-KODO_LANES_INLINE void solveRolling(RollingBlock& block, int at, Pair& pair, Lanes pressed) {
-    const Lanes impulse = load(block.impulse + at);
-    const Lanes limit = load(block.lever + at) * pressed;
-    const Lanes wanted = impulse - load(block.mass + at) * (pair.b.z - pair.a.z);
+KODO_LANES_INLINE void solveRolling(const RollingBlock& rolling, ContactBlock& block, int at,
+                                    Pair& pair, Lanes pressed) {
+    const Lanes impulse = load(block.rolling + at);
+    const Lanes limit = load(rolling.lever + at) * pressed;
+    const Lanes wanted = impulse - load(rolling.mass + at) * (pair.b.z - pair.a.z);
     const Lanes next = larger(smaller(wanted, limit), -limit);
-    store(block.impulse + at, next);
+    store(block.rolling + at, next);
     spin(pair, next - impulse, next - impulse);
 }
 
@@ -136,7 +137,7 @@ KODO_LANES_INLINE Pair gatherPair(const ContactBlock& block, int at, BodyVelocit
 /// the second point. So the result is that of sequential impulses, with a short dependency chain.
 /// The function is not split: the compiler would keep a struct of these values in memory.
 template <Task task, int points, bool isShared, bool unlike>
-KODO_LANES_INLINE void solveLanes(ContactBlock& block, RollingBlock* rolling, int at,
+KODO_LANES_INLINE void solveLanes(ContactBlock& block, const RollingBlock* rolling, int at,
                                   BodyVelocity* motion, const Rules& rules) {
     const PassSettings& settings = rules.settings;
     const Lanes nx = load(block.normalX + at);
@@ -188,7 +189,7 @@ KODO_LANES_INLINE void solveLanes(ContactBlock& block, RollingBlock* rolling, in
         spin(pair, tangent, rubbed);
     }
     if (task != Task::RelaxNormal && rolling != nullptr) {
-        solveRolling(*rolling, at, pair, sum);
+        solveRolling(*rolling, block, at, pair, sum);
     }
     if constexpr (task == Task::Relax) {
         store(block.total + at, settings.kept * load(block.total + at) + sum);
@@ -197,8 +198,8 @@ KODO_LANES_INLINE void solveLanes(ContactBlock& block, RollingBlock* rolling, in
 }
 
 template <Task task, int points, bool isShared, bool unlike = false>
-KODO_LANES_INLINE void solveBlock(ContactBlock& block, RollingBlock* rolling, BodyVelocity* motion,
-                                  const Rules& rules) {
+KODO_LANES_INLINE void solveBlock(ContactBlock& block, const RollingBlock* rolling,
+                                  BodyVelocity* motion, const Rules& rules) {
     for (int at = 0; at < ContactBlock::kContacts; at += kLanes) {
         solveLanes<task, points, isShared, unlike>(block, rolling, at, motion, rules);
     }
@@ -210,7 +211,7 @@ KODO_LANES_INLINE void solveBlock(ContactBlock& block, RollingBlock* rolling, Bo
 /// solveBlock() for a block with a shared body, or in the relax pass for one whose static friction
 /// differs from the kinetic one. Not inlined: both are rare.
 template <Task task, bool isShared, bool unlike>
-__attribute__((noinline)) void solveRare(ContactBlock& block, RollingBlock* rolling,
+__attribute__((noinline)) void solveRare(ContactBlock& block, const RollingBlock* rolling,
                                          BodyVelocity* motion, const Rules& rules) {
     if (rules.use.twoPoints) {
         solveBlock<task, 2, isShared, unlike>(block, rolling, motion, rules);
@@ -230,7 +231,7 @@ void solveBlocks(const ContactPassArguments& pass) {
         const Softness& soft = use.onLocked ? settings.onLocked : settings.soft;
         Copies copies;
         const Rules rules{soft.biasRate, soft.massScale, settings, use, copies};
-        RollingBlock* const rolling = use.rolling < 0 ? nullptr : pass.rolling + use.rolling;
+        const RollingBlock* const rolling = use.rolling < 0 ? nullptr : pass.rolling + use.rolling;
         ContactBlock& block = pass.blocks[i];
         const bool unlike = task == Task::Relax && use.unlike;
         if (use.shared != Shared::None) {
@@ -252,7 +253,6 @@ void warmStartBlocks(const ContactPassArguments& pass) {
         const std::size_t i = pass.order[k];
         ContactBlock& block = pass.blocks[i];
         const BlockUse& use = pass.use[i];
-        const RollingBlock* const rolling = use.rolling < 0 ? nullptr : pass.rolling + use.rolling;
         Copies copies;
         for (int at = 0; at < ContactBlock::kContacts; at += kLanes) {
             Pair pair{gather(firstHalf(pass.motion), block.a + at),
@@ -267,7 +267,7 @@ void warmStartBlocks(const ContactPassArguments& pass) {
             const Lanes friction = load(block.friction + at);
             const Lanes first = load(block.points[0].impulse + at);
             const Lanes second = load(block.points[1].impulse + at);
-            const Lanes roll = rolling == nullptr ? Lanes{} : load(rolling->impulse + at);
+            const Lanes roll = use.rolling < 0 ? Lanes{} : load(block.rolling + at);
             const Lanes sum = first + second;
             const auto momentBy = [&](const auto& lever1, const auto& lever2, const auto& tangent) {
                 return load(lever1 + at) * first + load(lever2 + at) * second +
@@ -296,7 +296,7 @@ void warmStartBlocks(const ContactPassArguments& pass) {
             solveBlocks<Task::Solve>,
             solveBlocks<Task::RelaxNormal>,
             solveBlocks<Task::Relax>,
-            carryBlocks};
+            advanceBlocks};
 }
 
 } // namespace

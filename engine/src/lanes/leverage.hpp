@@ -2,10 +2,11 @@
 #pragma once
 
 #include "bodies/bodies.hpp"
-#include "contacts/contact.hpp"
 
 #include <algorithm>
 #include <limits>
+
+#include "lanes/contact.hpp"
 
 namespace kodo {
 inline namespace KODO_PRECISION {

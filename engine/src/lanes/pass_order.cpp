@@ -23,7 +23,7 @@ void PassOrder::build(std::span<const BlockState> states) {
     const auto firstOf = [&](std::uint32_t bin) {
         return next[std::clamp(bin, lowest, highest + 1)];
     };
-    for (std::uint32_t number = 0; number < Refinement::kLevels; ++number) {
+    for (std::uint32_t number = 0; number < BlockBins::kLevels; ++number) {
         Level& level = levels_[number];
         const std::uint32_t end = (number + 1) * kLevelBins;
         level.first = firstOf(end - kLevelBins);

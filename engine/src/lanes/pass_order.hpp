@@ -44,7 +44,7 @@ private:
 
     std::vector<std::uint32_t> order_;
     std::vector<std::uint32_t> inUse_;
-    std::array<Level, Refinement::kLevels> levels_;
+    std::array<Level, BlockBins::kLevels> levels_;
 };
 
 } // namespace KODO_PRECISION

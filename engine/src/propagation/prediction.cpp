@@ -56,9 +56,11 @@ Place difference(const Place& later, const Place& earlier) {
 /// One contact and the predicted motion of its bodies.
 class Way {
 public:
-    Way(Contact& contact, const Bodies& bodies, const Prediction& prediction)
+    Way(Contact& contact, const ContactLane& lane, const Bodies& bodies,
+        const Prediction& prediction)
         : bodies_(bodies),
           contact_(contact),
+          lane_(lane),
           tolerances_(prediction.tolerances),
           hereA_(now(bodies, contact.key.bodyA)),
           hereB_(now(bodies, contact.key.bodyB)),
@@ -86,6 +88,7 @@ public:
     }
     /// Removes the manifold.
     void clear() {
+        lane_.updateSeparations(contact_.manifold);
         contact_.manifold.count = 0;
         contact_.passing = false;
     }
@@ -120,10 +123,12 @@ private:
         contact_.manifold =
             collide(convexA(), a, convexB(), b, tolerances_.margin, tolerances_.slop / 8);
         contact_.passing = letPass(contact_.passing, contact_.manifold);
+        lane_.setSeparations(contact_.manifold);
     }
 
     const Bodies& bodies_;
     Contact& contact_;
+    const ContactLane& lane_;
     const Tolerances& tolerances_;
     Place hereA_;
     Place hereB_;
@@ -133,9 +138,9 @@ private:
 
 } // namespace
 
-std::array<Real, 2> predictContact(Contact& contact, const Bodies& bodies,
+std::array<Real, 2> predictContact(Contact& contact, const ContactLane& lane, const Bodies& bodies,
                                    const Prediction& prediction) {
-    Way way(contact, bodies, prediction);
+    Way way(contact, lane, bodies, prediction);
     const bool hardlyMoves = way.motion() <= prediction.tolerances.margin / 2;
     const bool outruns = way.ofLine() || (prediction.swept && way.outruns());
     if (prediction.swept && !prediction.fresh && outruns && way.outran()) {
@@ -151,9 +156,9 @@ std::array<Real, 2> predictContact(Contact& contact, const Bodies& bodies,
     for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
         const ManifoldPoint& p = contact.manifold.points[i];
         const Vec2 velocity = velocityAt(motionB, p.armB) - velocityAt(motionA, p.armA);
-        contact.approachSpeed =
-            std::max(contact.approachSpeed, -dot(contact.manifold.normal, velocity));
-        Real& separation = contact.manifold.points[i].separation;
+        lane.approachSpeed() =
+            std::max(lane.approachSpeed(), -dot(contact.manifold.normal, velocity));
+        Real& separation = lane.separation(i);
         gaps[i] = separation;
         if (outruns) {
             continue;

@@ -4,9 +4,10 @@
 #include <kodo/settings.hpp>
 
 #include "bodies/bodies.hpp"
-#include "contacts/contact.hpp"
 
 #include <array>
+
+#include "lanes/contact_lane.hpp"
 
 namespace kodo {
 inline namespace KODO_PRECISION {
@@ -25,7 +26,7 @@ struct Prediction {
 /// A slow pair keeps a fresh manifold, advanced to first order. A pair that is fast enough to
 /// tunnel is computed at its current poses if continuous collision stops it. A pair with a segment
 /// always is. The fastest approach goes into the contact, for the record.
-std::array<Real, 2> predictContact(Contact& contact, const Bodies& bodies,
+std::array<Real, 2> predictContact(Contact& contact, const ContactLane& lane, const Bodies& bodies,
                                    const Prediction& prediction);
 
 } // namespace KODO_PRECISION

@@ -86,12 +86,12 @@ void Propagation::forEachLevel(Stage stage, int passes, Visit visit) {
 }
 
 /// Predicts the contacts at the end of the substep; gaps_ gets the separations at its start.
-void Propagation::predict(const Bodies& bodies, std::span<Contact> contacts,
-                          const Prediction& prediction) {
+void Propagation::predict(const Bodies& bodies, ContactStore& store, const Prediction& prediction) {
+    const std::span<Contact> contacts = store.contacts();
     gaps_.resize(contacts.size());
-    for (std::size_t k = 0; k < contacts.size(); ++k) {
+    for (std::uint32_t k = 0; k < contacts.size(); ++k) {
         if (!leftAlone(bodies, contacts[k])) {
-            gaps_[k] = predictContact(contacts[k], bodies, prediction);
+            gaps_[k] = predictContact(contacts[k], store.lane(k), bodies, prediction);
         }
     }
 }
@@ -167,8 +167,8 @@ void Propagation::fillByIsland(const List& list, std::vector<std::uint32_t>& end
 
 /// A contact with restitution is solved where it will touch. A contact without is solved once it
 /// touches; until then the contact passes let it close the gap.
-void Propagation::resolveCollisions(Bodies& bodies, std::span<Contact> contacts, const Step& step,
-                                    Real h) {
+void Propagation::resolveCollisions(Bodies& bodies, ContactStore& store, const Step& step, Real h) {
+    const std::span<Contact> contacts = store.contacts();
     struck_.clear();
     reserveReusing(struck_, contacts.size()); // capacity for an impact of many
     if (!step.settings.has(Feature::Restitution)) {
@@ -181,25 +181,27 @@ void Propagation::resolveCollisions(Bodies& bodies, std::span<Contact> contacts,
     });
     bool any = !struck_.empty();
     for (int pass = 0; pass < step.own().impactPasses && std::exchange(any, false); ++pass) {
-        forEachIn(
-            struckEnds_, {Stage::Impacts, static_cast<std::uint32_t>(pass)}, [&](std::size_t k) {
-                any =
-                    solveImpact(bodies, contacts[struck_[k]], step.settings, step.tolerances, h) ||
-                    any;
-            });
+        forEachIn(struckEnds_, {Stage::Impacts, static_cast<std::uint32_t>(pass)},
+                  [&](std::size_t k) {
+                      any = solveImpact(bodies, contacts[struck_[k]], store.lane(struck_[k]),
+                                        step.settings, step.tolerances, h) ||
+                            any;
+                  });
     }
 }
 
 /// Makes rows for contacts that may touch. A contact with restitution gets none before it touches:
 /// braking would reduce its rebound.
-void Propagation::makeRows(const Bodies& bodies, std::span<Contact> contacts, const Step& step) {
+void Propagation::makeRows(const Bodies& bodies, ContactStore& store, const Step& step) {
+    const std::span<const Contact> contacts = store.contacts();
     rows_.clear();
     reserveReusing(rows_, contacts.size());
     fillByIsland(rows_, rowEnds_, [&](std::uint32_t k) {
-        Contact& contact = contacts[k];
-        const bool touches = contact.manifold.points[0].separation <= step.tolerances.slop;
+        const Contact& contact = contacts[k];
+        const ContactLane lane = store.lane(k);
+        const bool touches = lane.separation(0) <= step.tolerances.slop;
         for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
-            contact.manifold.points[i].separation = gaps_[k][i];
+            lane.separation(i) = gaps_[k][i];
         }
         if (touches || !bounces(contact, step.settings)) {
             addRow(bodies, contact, k, step.settings);
@@ -212,6 +214,7 @@ void Propagation::addRow(const Bodies& bodies, const Contact& contact, std::uint
     rows_.push_back(makeRow(contact, slot));
     PropagationRow& row = rows_.back();
     for (std::size_t i = 0; i < row.count; ++i) {
+        row.points[i].gap = gaps_[slot][i];
         if (isBlocked(bodies, contact, i)) {
             row.points[i].leverA = row.points[i].leverB = 0;
         }
@@ -334,7 +337,8 @@ void Propagation::relax(Bodies& bodies, JointSet& joints, JointPass pass,
 
 void Propagation::solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints,
                         const Step& step) {
-    const std::span<Contact> contacts = contactSet.contacts();
+    contactSet.leavePasses(bodies);
+    ContactStore& store = contactSet.store();
     const PropagationSettings& settings = step.own();
     const Real h = step.dt / static_cast<Real>(settings.substeps);
     JointPass pass{.h = h,
@@ -343,7 +347,7 @@ void Propagation::solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints
                    .errors = ErrorRemoval::ByDisplacement};
     const bool several = settings.substeps > 1;
     if (several) {
-        assignReusing(strongest_, contacts.size(), StrongestGroup{});
+        assignReusing(strongest_, store.size(), StrongestGroup{});
     }
     visits_ = 0;
     joints.beginStep();
@@ -353,14 +357,14 @@ void Propagation::solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints
     for (int part = 0; part < settings.substeps; ++part) {
         substep_ = step.count * static_cast<std::uint64_t>(settings.substeps) +
                    static_cast<std::uint64_t>(part);
-        predict(bodies, contacts,
+        predict(bodies, store,
                 {step.tolerances, h, step.settings.has(Feature::ContinuousCollision), part == 0});
         findIslands(bodies, contactSet, joints);
-        resolveCollisions(bodies, contacts, step, h);
+        resolveCollisions(bodies, store, step, h);
         integrateVelocities(bodies, bodies.awake, h);
         pass.biased = true;
         joints.warmStart(bodies, pass);
-        makeRows(bodies, contacts, step);
+        makeRows(bodies, store, step);
         resolveContacts(bodies, joints, pass, settings);
         if (settings.shockPasses > 0) {
             findLevels(bodies);
@@ -373,12 +377,15 @@ void Propagation::solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints
         pass.biased = false;
         relax(bodies, joints, pass, settings);
         if (several) {
-            noteStrongest(contacts);
+            findStrongest(store);
         }
-        store(contacts);
+        this->store(store);
     }
     if (several) {
-        restoreStrongest(contacts);
+        restoreStrongest(store);
+    }
+    for (std::uint32_t slot = 0; slot < store.size(); ++slot) {
+        contactSet.manifoldChanged(slot);
     }
 }
 

@@ -92,9 +92,9 @@ private:
     void fillByIsland(const List& list, std::vector<std::uint32_t>& ends, Visit visit);
     void addRow(const Bodies& bodies, const Contact& contact, std::uint32_t slot,
                 const StepSettings& settings);
-    void predict(const Bodies& bodies, std::span<Contact> contacts, const Prediction& prediction);
-    void resolveCollisions(Bodies& bodies, std::span<Contact> contacts, const Step& step, Real h);
-    void makeRows(const Bodies& bodies, std::span<Contact> contacts, const Step& step);
+    void predict(const Bodies& bodies, ContactStore& store, const Prediction& prediction);
+    void resolveCollisions(Bodies& bodies, ContactStore& store, const Step& step, Real h);
+    void makeRows(const Bodies& bodies, ContactStore& store, const Step& step);
     void resolveContacts(Bodies& bodies, JointSet& joints, const JointPass& pass,
                          const PropagationSettings& settings);
     void findLevels(const Bodies& bodies);
@@ -104,9 +104,9 @@ private:
     void markExposure(const Bodies& bodies, const JointSet& joints, Real h, Real slop);
     void relax(Bodies& bodies, JointSet& joints, JointPass pass,
                const PropagationSettings& settings);
-    void store(std::span<Contact> contacts);
-    void noteStrongest(std::span<const Contact> contacts);
-    void restoreStrongest(std::span<Contact> contacts) const;
+    void store(ContactStore& contacts);
+    void findStrongest(ContactStore& store);
+    void restoreStrongest(ContactStore& store) const;
 
     template <typename Visit>
     void forEachIn(std::span<const std::uint32_t> ends, PassNumber number, Visit visit);

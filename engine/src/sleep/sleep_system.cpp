@@ -18,7 +18,7 @@ constexpr std::uint32_t kNoIsland = SleepState::kNoIsland;
 
 /// Inserts a contact into those of an island, in the order of keys. An existing contact of that key
 /// dates from before a neighbour woke, and is replaced.
-void keep(std::vector<Contact>& held, const Contact& contact) {
+void keep(std::vector<StoredContact>& held, const StoredContact& contact) {
     if (held.empty() || held.back().key < contact.key) {
         held.push_back(contact);
         return;
@@ -167,7 +167,7 @@ void SleepSystem::noteTouching(Bodies& bodies, ContactSet& contacts, std::uint32
         if (hasWoken(neighbour)) {
             continue;
         }
-        std::vector<Contact>& all = islands_[neighbour.island].contacts;
+        std::vector<StoredContact>& all = islands_[neighbour.island].contacts;
         if (std::any_of(all.begin(), all.end(), touches)) {
             woken_.push_back(neighbour.island);
         } else {
@@ -206,12 +206,12 @@ void SleepSystem::wakeNeighbours(Bodies& bodies, ContactSet& contacts, const Joi
 
 void SleepSystem::wakeTouched(Bodies& bodies, ContactSet& contacts, const Tolerances& tolerances) {
     // Contacts of woken islands are appended, and visited in the next round.
-    std::size_t next = 0;
+    std::uint32_t next = 0;
     do {
         const std::span<const ContactSummary> summaries = contacts.summaries();
         for (; next < summaries.size(); ++next) {
             const ContactSummary& summary = summaries[next];
-            if (!summary.meets || summary.separation[0] > tolerances.slop ||
+            if (!summary.meets || contacts.store().separation(next) > tolerances.slop ||
                 !(bodies.asleep(summary.bodyA) || bodies.asleep(summary.bodyB)) ||
                 !contacts.contacts()[next].responds()) {
                 continue;
@@ -295,7 +295,7 @@ void SleepSystem::putToSleep(Bodies& bodies, std::span<const std::uint32_t> memb
     islands_[island].bodies.assign(members.begin(), members.end());
 }
 
-void SleepSystem::sleepIslands(Bodies& bodies, ContactSet& contacts, const WriteBack& writeBack) {
+void SleepSystem::sleepIslands(Bodies& bodies, ContactSet& contacts) {
     std::sort(sleepers_.begin(), sleepers_.end()); // total order: bodies are unique
     members_.clear();
     for (std::size_t i = 0; i < sleepers_.size(); ++i) {
@@ -308,17 +308,16 @@ void SleepSystem::sleepIslands(Bodies& bodies, ContactSet& contacts, const Write
     for (const auto& [root, body] : sleepers_) {
         members_.push_back(body);
     }
-    keepContacts(bodies, contacts.takeIdle(bodies, members_, writeBack));
+    keepContacts(bodies, contacts.takeIdle(bodies, members_));
 }
 
-void SleepSystem::keepArrivals(const Bodies& bodies, ContactSet& contacts,
-                               const WriteBack& writeBack) {
-    keepContacts(bodies, contacts.takeArrivals(bodies, writeBack));
+void SleepSystem::keepArrivals(const Bodies& bodies, ContactSet& contacts) {
+    keepContacts(bodies, contacts.takeArrivals(bodies));
 }
 
 /// Inserts contacts into those of their islands.
-void SleepSystem::keepContacts(const Bodies& bodies, std::span<const Contact> idle) {
-    for (const Contact& contact : idle) {
+void SleepSystem::keepContacts(const Bodies& bodies, std::span<const StoredContact> idle) {
+    for (const StoredContact& contact : idle) {
         const std::uint32_t a = bodies.sleep[contact.key.bodyA].island;
         const std::uint32_t island = a != kNoIsland ? a : bodies.sleep[contact.key.bodyB].island;
         keep(islands_[island].contacts, contact);
@@ -348,7 +347,7 @@ void SleepSystem::visitState(StateStream& stream, Bodies& bodies) {
                     sentence);
             bodies.sleep[body].island = island;
         }
-        for (Contact& contact : islands[island].contacts) {
+        for (StoredContact& contact : islands[island].contacts) {
             completeContact(contact, bodies);
             contact.row = {}; // only contacts of the list have a row
             noteIslandContact(bodies, contact, island);

@@ -44,11 +44,11 @@ public:
     /// Counts calm steps. True if islands have been calm for long enough for sleepIslands().
     bool updateSleep(Bodies& bodies, const ContactSet& contacts, const JointSet& joints,
                      const StepSettings& settings, const Tolerances& tolerances, Real dt);
-    /// Puts these islands to sleep with their contacts; writeBack(contact) is called before.
-    void sleepIslands(Bodies& bodies, ContactSet& contacts, const WriteBack& writeBack);
+    /// Puts these islands to sleep with their contacts.
+    void sleepIslands(Bodies& bodies, ContactSet& contacts);
     /// Takes contacts of sleeping bodies with inactive ones that arrived before this step out of
     /// the list, to the islands.
-    void keepArrivals(const Bodies& bodies, ContactSet& contacts, const WriteBack& writeBack);
+    void keepArrivals(const Bodies& bodies, ContactSet& contacts);
 
     /// Restarts the calm count of a body, and wakes its island if it is asleep.
     void wake(Bodies& bodies, ContactSet& contacts, std::uint32_t body);
@@ -68,7 +68,7 @@ public:
     template <typename Visit>
     void forEachContact(Visit visit) const {
         for (const Island& island : islands_) {
-            for (const Contact& contact : island.contacts) {
+            for (const StoredContact& contact : island.contacts) {
                 visit(contact);
             }
         }
@@ -78,7 +78,7 @@ public:
 private:
     struct Island {
         std::vector<std::uint32_t> bodies; // empty: a free slot
-        std::vector<Contact> contacts;
+        std::vector<StoredContact> contacts;
         std::uint32_t version = 0; // changes whenever it wakes
 
         void visitState(StateStream& stream);
@@ -100,7 +100,7 @@ private:
     void wakeIslands(Bodies& bodies, ContactSet& contacts);
     void noteTouching(Bodies& bodies, ContactSet& contacts, std::uint32_t body);
     void disturb(Bodies& bodies, std::uint32_t body);
-    void keepContacts(const Bodies& bodies, std::span<const Contact> idle);
+    void keepContacts(const Bodies& bodies, std::span<const StoredContact> idle);
     std::vector<NeighbourIsland>& neighboursFor(std::uint32_t body);
     void noteIslandContact(const Bodies& bodies, const Contact& contact, std::uint32_t island);
     bool hasWoken(const NeighbourIsland& neighbour) const {
@@ -130,7 +130,7 @@ private:
     std::vector<std::pair<std::uint32_t, std::uint32_t>> sleepers_; // root and body
     std::vector<std::uint32_t> members_;                            // of an island, or to be woken
     std::vector<std::uint32_t> woken_;                              // islands: see wakeIslands
-    std::vector<Contact> returning_;                                // scratch of wakeIslands
+    std::vector<StoredContact> returning_;                          // scratch of wakeIslands
 };
 
 } // namespace KODO_PRECISION

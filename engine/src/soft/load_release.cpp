@@ -47,14 +47,14 @@ Real squareOf(const BodyVelocity& motion, const Twist& twist) {
 }
 
 /// Applies a share of the impulses of a contact again, to both bodies.
-void applyShare(Bodies& bodies, const ContactBlocks::Lane& at, Real share) {
+void applyShare(Bodies& bodies, const ContactLanes::Place& at, Real share) {
     const ContactBlock& block = at.block;
     const std::size_t lane = at.lane;
     const Vec2 n{block.normalX[lane], block.normalY[lane]};
     const Real first = share * block.points[0].impulse[lane];
     const Real second = share * block.points[1].impulse[lane];
     const Real friction = share * block.friction[lane];
-    const Real roll = at.rolling == nullptr ? Real(0) : share * at.rolling->impulse[lane];
+    const Real roll = share * block.rolling[lane];
     const Vec2 impulse = (first + second) * n + friction * perp(n);
     const auto momentBy = [&](Real lever1, Real lever2, Real tangent) {
         return lever1 * first + lever2 * second + tangent * friction + roll;
@@ -69,13 +69,11 @@ void applyShare(Bodies& bodies, const ContactBlocks::Lane& at, Real share) {
                           block.tangentLeverB[lane]));
 }
 
-void scaleImpulses(const ContactBlocks::Lane& at, Real factor) {
+void scaleImpulses(const ContactLanes::Place& at, Real factor) {
     at.block.points[0].impulse[at.lane] *= factor;
     at.block.points[1].impulse[at.lane] *= factor;
     at.block.friction[at.lane] *= factor;
-    if (at.rolling != nullptr) {
-        at.rolling->impulse[at.lane] *= factor;
-    }
+    at.block.rolling[at.lane] *= factor;
 }
 
 } // namespace
@@ -104,9 +102,9 @@ void LoadRelease::findGains(const Inputs& inputs, std::uint32_t body) {
     const Real deepest = -kDeep * inputs.tolerances.slop;
     bool wedged = false;
     inputs.contactSet.store().lists().forEach(body, [&](std::uint32_t slot) {
-        if (summaries[slot].row != ContactRow::kNone) {
+        if (summaries[slot].inPasses()) {
             slots_.push_back(slot);
-            wedged = wedged || summaries[slot].separation[0] < deepest;
+            wedged = wedged || inputs.contactSet.store().separation(slot) < deepest;
         }
     });
     if (wedged) {
@@ -120,7 +118,7 @@ void LoadRelease::findGains(const Inputs& inputs, std::uint32_t body) {
         BodyVelocity& other =
             inputs.bodies.motion[summary.bodyA == body ? summary.bodyB : summary.bodyA];
         const BodyVelocity otherKept = other;
-        applyShare(inputs.bodies, inputs.blocks.laneAt(summary.row), 1);
+        applyShare(inputs.bodies, inputs.blocks.placeOf(summary.row.index), 1);
         gains_.push_back(
             {slot, motion.velocity - kept.velocity, motion.angularVelocity - kept.angularVelocity});
         motion = kept;
@@ -153,7 +151,7 @@ void LoadRelease::release(const Inputs& inputs, std::uint32_t body, Real h) {
         std::clamp(along({0, gained.velocity, gained.angular}) / square, Real(0), Real(1));
     for (const Gain& gain : gains_) {
         const ContactSummary& summary = inputs.contactSet.summaries()[gain.slot];
-        const ContactBlocks::Lane lane = blocks.laneAt(summary.row);
+        const ContactLanes::Place lane = blocks.placeOf(summary.row.index);
         applyShare(bodies, lane, -share);
         scaleImpulses(lane, 1 - share);
         const std::uint32_t other = summary.bodyA == body ? summary.bodyB : summary.bodyA;
@@ -164,7 +162,7 @@ void LoadRelease::release(const Inputs& inputs, std::uint32_t body, Real h) {
 }
 
 /// Least speed (m/s) at which a loaded point of a contact separates, without contacts and joints.
-Real LoadRelease::separatingSpeed(const Bodies& bodies, const ContactBlocks::Lane& at) const {
+Real LoadRelease::separatingSpeed(const Bodies& bodies, const ContactLanes::Place& at) const {
     const ContactBlock& block = at.block;
     const std::size_t lane = at.lane;
     const std::uint32_t a = bodyOfPlace(block.a[lane]);
@@ -188,14 +186,14 @@ Real LoadRelease::separatingSpeed(const Bodies& bodies, const ContactBlocks::Lan
 void LoadRelease::releaseSeparating(const Inputs& inputs, std::uint32_t body, Real h) {
     slots_.clear();
     inputs.contactSet.store().lists().forEach(body, [&](std::uint32_t slot) {
-        if (inputs.contactSet.summaries()[slot].row != ContactRow::kNone) {
+        if (inputs.contactSet.summaries()[slot].inPasses()) {
             slots_.push_back(slot);
         }
     });
     inputs.contactSet.store().sortByKey(slots_); // sums depend on the order
     for (const std::uint32_t slot : slots_) {
         const ContactSummary& summary = inputs.contactSet.summaries()[slot];
-        const ContactBlocks::Lane lane = inputs.blocks.laneAt(summary.row);
+        const ContactLanes::Place lane = inputs.blocks.placeOf(summary.row.index);
         const Real fall = h * (inputs.bodies.acceleration[summary.bodyA].effort +
                                inputs.bodies.acceleration[summary.bodyB].effort);
         const Real sum =

@@ -65,7 +65,7 @@ private:
     };
 
     bool isKicked(const Inputs& inputs, std::uint32_t body, Real h) const;
-    Real separatingSpeed(const Bodies& bodies, const ContactBlocks::Lane& at) const;
+    Real separatingSpeed(const Bodies& bodies, const ContactLanes::Place& at) const;
     void releaseSeparating(const Inputs& inputs, std::uint32_t body, Real h);
     void markJointed(const Inputs& inputs, std::uint8_t mark);
     void addKicked(std::uint32_t body);

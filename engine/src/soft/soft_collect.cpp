@@ -21,15 +21,16 @@ std::uint32_t hashOf(std::uint32_t rankA, std::uint32_t rankB) {
     return hash ^ hash >> 16;
 }
 
-/// True if the contact is kept, as its summary says.
-[[maybe_unused]] bool isKept(const Contact& contact, const ContactSummary& summary) {
-    return contact.isKept() && contact.row.index == summary.row;
+/// True if nothing contradicts that the contact is kept.
+[[maybe_unused]] bool mayBeKept(const Contact& contact, const ContactSummary& summary) {
+    return contact.filled && contact.responds() && summary.inPasses() &&
+           summary.row.colour != ContactRow::kNoColour;
 }
 
 /// True for a contact with an impact in this step after which its points separate, and stay apart
 /// until the end of the step although the forces press them together.
-bool isLeaving(const Bodies& bodies, const Contact& contact, Real dt) {
-    if (!(contact.impulse[0].impact + contact.impulse[1].impact > 0)) {
+bool isLeaving(const Bodies& bodies, const Contact& contact, const ContactLane& lane, Real dt) {
+    if (!(lane.impacts() > 0)) {
         return false;
     }
     const std::uint32_t a = contact.key.bodyA;
@@ -74,39 +75,28 @@ void SoftSolver::clearMarks(const Bodies& bodies, const JointSet& joints) {
 /// `newcomers`.
 void SoftSolver::takeNew(const Bodies& bodies, ContactSet& contactSet, std::uint32_t place,
                          bool friction, std::vector<std::uint32_t>& newcomers) {
-    Contact& contact = contactSet.contacts()[place];
     if (!friction) {
-        contact.friction = 0; // from a step with friction
+        contactSet.store().lane(place).friction() = 0; // from a step with friction
     }
-    if (blocks_.take(bodies, contact)) {
-        contactSet.noteRow(place);
-    } else {
+    if (!contactSet.lanes().take(bodies, contactSet.store().entry(place))) {
         newcomers.push_back(place);
     }
-}
-
-/// Removes a contact from the solver.
-void SoftSolver::releaseRow(const Bodies& bodies, ContactSet& contactSet, std::uint32_t place) {
-    Contact& contact = contactSet.contacts()[place];
-    blocks_.evict(contact, bodies);
-    contact.row = {};
-    contact.carried = false;
-    contactSet.noteRow(place);
 }
 
 /// Prepares the collection of contacts in a step.
 void SoftSolver::beginCollecting(const Bodies& bodies, ContactSet& contactSet,
                                  const JointSet& joints, const Step& step) {
     const std::uint32_t partitions = step.team.partitions();
+    ContactBlocks& blocks = contactSet.lanes();
     bool shared = false;
     for (std::uint32_t level = 0; partitions > 1 && level < ContactBlocks::kLevels; ++level) {
-        shared = shared || blocks_.worthPartitioning(level);
+        shared = shared || blocks.worthPartitioning(level);
     }
-    if (blocks_.countReorder() || (shared && blocks_.partitions().count() != partitions)) {
-        blocks_.rebuildGraph(bodies, contactSet, shared ? partitions : 1);
+    if (blocks.countReorder() || (shared && blocks.partitions().count() != partitions)) {
+        contactSet.rebuildLanes(bodies, shared ? partitions : 1);
     }
-    blocks_.begin(bodies, contactSet.contacts(), step.settings.has(Feature::Friction),
-                  step.settings.has(Feature::RollingResistance));
+    blocks.begin(contactSet.store().all(), step.settings.has(Feature::Friction),
+                 step.settings.has(Feature::RollingResistance));
     clearMarks(bodies, joints);
     newcomers_.clear();
 }
@@ -138,36 +128,40 @@ void SoftSolver::collectPiece(const Collecting& run, std::span<const std::uint32
     const ContactSummary* const summaryOf = contactSet.summaries().data();
     const bool friction = step.settings.has(Feature::Friction);
     const bool restitution = step.settings.has(Feature::Restitution);
-    const bool keeps = friction && blocks_.keepsLanes();
+    ContactStore& store = contactSet.store();
+    ContactBlocks& blocks = store.lanes();
+    const bool keeps = friction && blocks.keepsLanes();
     const Real slop = step.tolerances.slop;
     PrefetchList<kNewcomersPerPiece> visited;
     for (const std::uint32_t place : places) {
         const ContactSummary& summary = summaryOf[place];
-        if (keeps && summary.kept && needsRow(bodies, summary, restitution, slop)) {
-            KODO_ASSERT(isKept(contacts[place], summary));
-            blocks_.keep(summary.row);
-            noteExposure(run, summary, false);
-        } else if (!keeps || summary.meets || summary.row != ContactRow::kNone) {
+        if (keeps && summary.kept && needsRow(bodies, store, place, restitution, slop)) {
+            KODO_ASSERT(mayBeKept(contacts[place], summary));
+            blocks.keep(summary.row.index);
+            markExposure(run, place, false);
+        } else if (!keeps || summary.meets || summary.inPasses()) {
             visited.add(place);
         }
     }
-    visitPrefetched<4>(visited.list(), contacts, [&](std::uint32_t place) {
-        if (needsRow(bodies, summaryOf[place], restitution, slop) && contacts[place].responds()) {
+    visitPrefetched<3>(visited.list(), contacts, [&](std::uint32_t place) {
+        if (needsRow(bodies, store, place, restitution, slop) && contacts[place].responds()) {
             takeNew(bodies, contactSet, place, friction, newcomers);
-            noteExposure(run, summaryOf[place], isLeaving(bodies, contacts[place], step.dt));
+            markExposure(run, place,
+                         isLeaving(bodies, contacts[place], store.lane(place), step.dt));
         } else {
-            releaseRow(bodies, contactSet, place);
+            store.leavePasses(place, bodies);
         }
     });
 }
 
-/// Marks both bodies as touched or near, and notes deep overlaps. A body that leaves is only near,
+/// Marks both bodies as touched or near, and counts deep overlaps. A body that leaves is only near,
 /// so it follows its parabola from the impact on.
-void SoftSolver::noteExposure(const Collecting& run, const ContactSummary& summary, bool leaves) {
+void SoftSolver::markExposure(const Collecting& run, std::uint32_t place, bool leaves) {
+    const ContactSummary& summary = run.contactSet.summaries()[place];
     const Bodies& bodies = run.bodies;
     const WorkerTeam& team = run.step.team;
     const Real slop = run.step.tolerances.slop;
-    const Real separation = summary.separation[0];
+    const Real separation = run.contactSet.store().separation(place);
     std::uint8_t* const marks = separation <= slop && !leaves ? touched_.data() : near_.data();
     WorkerTeam::mark(marks[summary.bodyA]);
     WorkerTeam::mark(marks[summary.bodyB]);
@@ -206,9 +200,10 @@ void SoftSolver::clearOverlapCounts(ContactSet& contactSet) {
 /// always the same, by a hash of the ranks. The others follow as the crowd thins out.
 void SoftSolver::thinOut(Bodies& bodies, ContactSet& contactSet) {
     std::erase_if(newcomers_, [&](std::uint32_t place) {
-        const Contact& contact = contactSet.contacts()[place];
-        const auto& [bodyA, partA, bodyB, partB] = contact.key;
-        if (contact.row.colour != ContactRow::kNoColour || bodies.locked(bodyA) ||
+        const ContactSummary& summary = contactSet.summaries()[place];
+        const std::uint32_t bodyA = summary.bodyA;
+        const std::uint32_t bodyB = summary.bodyB;
+        if (summary.row.colour != ContactRow::kNoColour || bodies.locked(bodyA) ||
             bodies.locked(bodyB)) {
             return false;
         }
@@ -218,7 +213,7 @@ void SoftSolver::thinOut(Bodies& bodies, ContactSet& contactSet) {
             hashOf(bodies.record[bodyA].crowdRank, bodies.record[bodyB].crowdRank);
         const bool drops = crowd > kMost && hash % crowd >= kMost;
         if (drops) {
-            releaseRow(bodies, contactSet, place);
+            contactSet.store().leavePasses(place, bodies);
         }
         return drops;
     });

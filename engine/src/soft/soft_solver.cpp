@@ -49,11 +49,11 @@ bool SoftSolver::noneNeedsRow(const Bodies& bodies, ContactSet& contactSet,
                               const StepSettings& settings, const Tolerances& tolerances) {
     for (const std::uint32_t place : contactSet.live()) {
         if (contactSet.contacts()[place].responds() &&
-            needsRow(bodies, contactSet.summaries()[place], settings.has(Feature::Restitution),
+            needsRow(bodies, contactSet.store(), place, settings.has(Feature::Restitution),
                      tolerances.slop)) {
             return false;
         }
-        releaseRow(bodies, contactSet, place);
+        contactSet.store().leavePasses(place, bodies);
     }
     return true;
 }
@@ -127,13 +127,23 @@ void SoftSolver::moveKinematic(Bodies& bodies, Real dt) {
 void SoftSolver::solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints, const Step& step) {
     if (joints.busyCount() == 0 &&
         noneNeedsRow(bodies, contactSet, step.settings, step.tolerances)) {
-        if (blocks_.size() > 0) {
-            blocks_.releaseAll(bodies);
+        if (contactSet.lanes().size() > 0) {
+            contactSet.lanes().forgetLanes();
         }
         moveFreely(bodies, bodies.awake, step.dt);
         visits_ = 0;
     } else {
         solveHeld(bodies, contactSet, joints, step);
+    }
+}
+
+/// The contacts whose level has changed get another lane.
+void SoftSolver::refine(const Bodies& bodies, ContactSet& contactSet) {
+    contactSet.lanes().refine(refinement_.levels());
+    for (std::uint32_t slot = 0; slot < contactSet.summaries().size(); ++slot) {
+        if (!contactSet.lanes().hasLevel(contactSet.summaries()[slot])) {
+            contactSet.store().change(slot, bodies).filled = false;
+        }
     }
 }
 
@@ -145,20 +155,17 @@ void SoftSolver::solveHeld(Bodies& bodies, ContactSet& contactSet, JointSet& joi
     const Real hertz =
         std::min(soft.contactHertz, kMostCycles * static_cast<Real>(soft.substeps) / dt);
     if (refinement_.find({bodies, contactSet, joints, settings, tolerances, hertz})) {
-        blocks_.refine(refinement_, contactSet, bodies);
+        refine(bodies, contactSet);
     }
     collect(bodies, contactSet, joints, step);
     if (anyCrowded_ != 0) {
         thinOut(bodies, contactSet);
     }
     contactSet.store().sortByKey(newcomers_); // colours depend on the order
-    blocks_.arrange(bodies, contactSet.contacts(), newcomers_,
-                    anyCrowded_ != 0 ? std::span<const std::uint16_t>(overlapCount_)
-                                     : std::span<const std::uint16_t>(),
-                    soft.pushSpeed * tolerances.slop * Tolerances::kSlopsPerUnit);
-    for (const std::uint32_t place : newcomers_) {
-        contactSet.noteRow(place);
-    }
+    contactSet.lanes().arrange(bodies, contactSet.store().all(), newcomers_,
+                               anyCrowded_ != 0 ? std::span<const std::uint16_t>(overlapCount_)
+                                                : std::span<const std::uint16_t>(),
+                               soft.pushSpeed * tolerances.slop * Tolerances::kSlopsPerUnit);
     joints.beginStep();
     joints.boundBias(contactSet, tolerances.slop,
                      soft.pushSpeed * tolerances.slop * Tolerances::kSlopsPerUnit);
@@ -173,7 +180,7 @@ void SoftSolver::solveHeld(Bodies& bodies, ContactSet& contactSet, JointSet& joi
     if (anyCrowded_ != 0) {
         clearOverlapCounts(contactSet);
     }
-    blocks_.noteTouching(tolerances.slop, team);
+    contactSet.lanes().findTouching(tolerances.slop, team);
 }
 
 /// Solves the islands of a level.
@@ -182,17 +189,18 @@ void SoftSolver::solveGroup(Bodies& bodies, ContactSet& contactSet, JointSet& jo
     const auto& [settings, tolerances, dt, team] = step;
     const SoftSettings& soft = std::get<SoftSettings>(settings.solver);
     Group& group = groups_[level];
+    ContactBlocks& blocks = contactSet.lanes();
     const int parts = 1 << level;
     const int substeps = parts * soft.substeps;
     const Real h = dt / static_cast<Real>(soft.substeps) / static_cast<Real>(parts);
     const Real hertz = std::min(soft.contactHertz * static_cast<Real>(parts), kMostCycles / h);
     const ContactPassArguments pass =
-        blocks_.pass(bodies, level,
-                     {Softness::from(hertz, soft.contactDamping, h),
-                      Softness::from(2 * hertz, soft.contactDamping, h), 1 / h,
-                      settings.has(Feature::Friction), 1});
+        blocks.pass(bodies, level,
+                    {Softness::from(hertz, soft.contactDamping, h),
+                     Softness::from(2 * hertz, soft.contactDamping, h), 1 / h,
+                     settings.has(Feature::Friction), 1});
     if (anyDeep_ != 0) {
-        group.overlapRelaxation.find({pass, blocks_.passOrder().colours(level),
+        group.overlapRelaxation.find({pass, blocks.passOrder().colours(level),
                                       OverlapRelaxation::deepBelow(tolerances.slop),
                                       overlapCount_});
     } else {
@@ -211,20 +219,20 @@ void SoftSolver::solveGroup(Bodies& bodies, ContactSet& contactSet, JointSet& jo
     }
     WorkerTeam serial;
     const bool helped =
-        blocks_.worthPartitioning(level) && blocks_.partitions().count() == team.partitions();
+        blocks.worthPartitioning(level) && blocks.partitions().count() == team.partitions();
     const Real pushSpeed = soft.pushSpeed * tolerances.slop * Tolerances::kSlopsPerUnit;
     Substeps run{bodies,     contactSet, joints,
                  group,      pass,       jointPass,
                  tolerances, pushSpeed,  helped ? team : serial};
     if (!run.team.alone()) {
         group.partitions.buildGraph(
-            {blocks_, level, pass, contactSet.contacts(), newcomers_, group.bound, bodies.size()},
+            {blocks, level, pass, contactSet.summaries(), newcomers_, group.bound, bodies.size()},
             run.team);
     }
     runSubsteps(run, substeps);
     revolutes_.end(joints);
     joints.scaleImpulses(static_cast<Real>(parts));
-    visits_ += (2 * blocks_.size(level) + group.overlapRelaxation.visits()) *
+    visits_ += (2 * blocks.size(level) + group.overlapRelaxation.visits()) *
                static_cast<std::size_t>(substeps);
 }
 

@@ -15,9 +15,9 @@
 
 #include "lanes/block_partitions.hpp"
 #include "lanes/contact_blocks.hpp"
-#include "lanes/refinement.hpp"
 #include "soft/load_release.hpp"
 #include "soft/overlap_relaxation.hpp"
+#include "soft/refinement.hpp"
 #include "soft/revolute_blocks.hpp"
 
 namespace kodo {
@@ -51,9 +51,6 @@ public:
     void solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints, const Step& step);
     /// Visits of contacts in the last step.
     std::size_t visits() const { return visits_; }
-    /// Storage of the resident contacts.
-    const ContactBlocks& blocks() const { return blocks_; }
-    ContactBlocks& blocks() { return blocks_; }
 
 private:
     using Velocity = LoadRelease::Velocity;
@@ -97,14 +94,14 @@ private:
                  const Step& step);
     void collectPiece(const Collecting& run, std::span<const std::uint32_t> places,
                       std::vector<std::uint32_t>& newcomers);
-    void noteExposure(const Collecting& run, const ContactSummary& summary, bool leaves);
+    void markExposure(const Collecting& run, std::uint32_t place, bool leaves);
     void clearOverlapCounts(ContactSet& contactSet);
     void clearMarks(const Bodies& bodies, const JointSet& joints);
     void beginCollecting(const Bodies& bodies, ContactSet& contactSet, const JointSet& joints,
                          const Step& step);
     void takeNew(const Bodies& bodies, ContactSet& contactSet, std::uint32_t place, bool friction,
                  std::vector<std::uint32_t>& newcomers);
-    void releaseRow(const Bodies& bodies, ContactSet& contactSet, std::uint32_t place);
+    void refine(const Bodies& bodies, ContactSet& contactSet);
     void countOverlap(const Bodies& bodies, const ContactSummary& summary, const WorkerTeam& team);
     void thinOut(Bodies& bodies, ContactSet& contactSet);
     void findJointed(const JointSet& joints);
@@ -128,7 +125,6 @@ private:
     void addPhase(Substeps& run, const Phase& phase);
     void runPhases(Substeps& run);
 
-    ContactBlocks blocks_;
     Refinement refinement_;
     std::array<Group, Refinement::kLevels> groups_; // by level
     RevoluteBlocks revolutes_;

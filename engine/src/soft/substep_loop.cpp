@@ -118,8 +118,9 @@ void SoftSolver::releaseLoads(Substeps& run) {
     if (!run.team.alone()) {
         runPhases(run);
     }
-    loadRelease_.run({run.bodies, run.contactSet, run.joints, blocks_, run.tolerances},
-                     run.group.bound, before_, run.jointPass.h);
+    loadRelease_.run(
+        {run.bodies, run.contactSet, run.joints, run.contactSet.lanes(), run.tolerances},
+        run.group.bound, before_, run.jointPass.h);
 }
 
 /// Joint arms rotate within a step, so joints warm start with their own impulses in each substep.

@@ -8,17 +8,17 @@
 namespace kodo {
 inline namespace KODO_PRECISION {
 
-void ParkedContacts::add(const Contact& contact) {
+void ParkedContacts::add(const StoredContact& contact) {
     lists_.add(static_cast<std::uint32_t>(contacts_.size()), contact.key.bodyA, contact.key.bodyB);
     contacts_.push_back(contact);
 }
 
 /// Takes the contacts in slots_, which may contain duplicates.
-void ParkedContacts::takeNoted(std::vector<Contact>& taken) {
+void ParkedContacts::takeNoted(std::vector<StoredContact>& taken) {
     std::sort(slots_.begin(), slots_.end()); // total order: equal indices are identical
     slots_.erase(std::unique(slots_.begin(), slots_.end()), slots_.end());
     for (const std::uint32_t slot : slots_) {
-        Contact& contact = contacts_[slot];
+        StoredContact& contact = contacts_[slot];
         taken.push_back(contact);
         lists_.remove(slot, contact.key.bodyA, contact.key.bodyB);
         contact = {};
@@ -32,7 +32,7 @@ void ParkedContacts::takeNoted(std::vector<Contact>& taken) {
 void ParkedContacts::closeGaps() {
     std::uint32_t to = 0;
     for (std::uint32_t from = 0; from < contacts_.size(); ++from) {
-        const Contact& contact = contacts_[from];
+        const StoredContact& contact = contacts_[from];
         if (isGap(contact)) {
             continue;
         }
@@ -60,7 +60,7 @@ void ParkedContacts::visitState(StateStream& stream, const Bodies& bodies) {
     closeGaps();
     stream(contacts);
     if (stream.reads()) {
-        for (Contact& contact : contacts) {
+        for (StoredContact& contact : contacts) {
             completeContact(contact, bodies);
             contact.row = {};
         }

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "contacts/contact.hpp"
 #include "contacts/contact_lists.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
+
+#include "lanes/contact.hpp"
 
 namespace kodo {
 inline namespace KODO_PRECISION {
@@ -17,11 +18,11 @@ inline namespace KODO_PRECISION {
 class ParkedContacts {
 public:
     bool isEmpty() const { return gaps_ == contacts_.size(); }
-    void add(const Contact& contact);
+    void add(const StoredContact& contact);
     /// Removes the contacts for which which(contact) is true, and appends them to `taken`, in
     /// order: those of some bodies, or all.
     template <typename Which>
-    void take(std::span<const std::uint32_t> of, Which which, std::vector<Contact>& taken) {
+    void take(std::span<const std::uint32_t> of, Which which, std::vector<StoredContact>& taken) {
         slots_.clear();
         for (const std::uint32_t body : of) {
             lists_.forEach(body, [&](std::uint32_t slot) { noteIf(slot, which); });
@@ -29,7 +30,7 @@ public:
         takeNoted(taken);
     }
     template <typename Which>
-    void take(Which which, std::vector<Contact>& taken) {
+    void take(Which which, std::vector<StoredContact>& taken) {
         slots_.clear();
         for (std::uint32_t slot = 0; slot < contacts_.size(); ++slot) {
             if (!isGap(contacts_[slot])) {
@@ -41,7 +42,7 @@ public:
     /// Calls visit(contact) for all, in order.
     template <typename Visit>
     void forEach(Visit visit) const {
-        for (const Contact& contact : contacts_) {
+        for (const StoredContact& contact : contacts_) {
             if (!isGap(contact)) {
                 visit(contact);
             }
@@ -61,11 +62,11 @@ private:
             slots_.push_back(slot);
         }
     }
-    void takeNoted(std::vector<Contact>& taken);
+    void takeNoted(std::vector<StoredContact>& taken);
     void closeGaps();
     void listAll();
 
-    std::vector<Contact> contacts_; // with gaps: a removal keeps the order of the others
+    std::vector<StoredContact> contacts_; // with gaps: a removal keeps the order of the others
     std::size_t gaps_ = 0;
     ContactLists lists_;               // by body: indices in contacts_
     std::vector<std::uint32_t> slots_; // scratch of take()

@@ -64,11 +64,10 @@ bool Region::update(Bodies& bodies, std::uint32_t body) const {
     return !inside && !waited;
 }
 
-void Region::place(std::uint32_t body, Bodies& bodies, ContactSet& contacts,
-                   const WriteBack& writeBack) {
+void Region::place(std::uint32_t body, Bodies& bodies, ContactSet& contacts) {
     if (update(bodies, body)) {
         contacts.bodyChanged(body); // updates its bounds at the place where it stopped
-        park({&body, 1}, bodies, contacts, writeBack);
+        park({&body, 1}, bodies, contacts);
     }
 }
 
@@ -99,8 +98,8 @@ std::vector<std::uint32_t> Region::mayCross(const Aabb& before, const Bodies& bo
     return found;
 }
 
-void Region::moveInOut(std::vector<std::uint32_t>& candidates, Bodies& bodies, ContactSet& contacts,
-                       const WriteBack& writeBack) {
+void Region::moveInOut(std::vector<std::uint32_t>& candidates, Bodies& bodies,
+                       ContactSet& contacts) {
     std::erase_if(candidates, [&](std::uint32_t body) {
         const bool isOutside = (bodies.filter[body].flags & kOutside) != 0;
         return !bodies.ids.aliveAt(body) || isOutside != contains(bodies, body);
@@ -112,14 +111,13 @@ void Region::moveInOut(std::vector<std::uint32_t>& candidates, Bodies& bodies, C
         update(bodies, body);
         contacts.activityChanged(body);
     }
-    park(candidates, bodies, contacts, writeBack);
+    park(candidates, bodies, contacts);
 }
 
-void Region::park(std::span<const std::uint32_t> of, Bodies& bodies, ContactSet& contacts,
-                  const WriteBack& writeBack) {
+void Region::park(std::span<const std::uint32_t> of, Bodies& bodies, ContactSet& contacts) {
     parked_.take(of, hasActive(bodies), unparked_);
     putBack(bodies, contacts);
-    setAside(contacts.takeIdle(bodies, of, writeBack), of, bodies, contacts);
+    setAside(contacts.takeIdle(bodies, of), of, bodies, contacts);
 }
 
 void Region::followActivity(Bodies& bodies, ContactSet& contacts) {
@@ -135,7 +133,7 @@ void Region::followActivity(Bodies& bodies, ContactSet& contacts) {
 }
 
 /// Parks those of the idle contacts `of` some bodies that have a body outside.
-void Region::setAside(std::span<const Contact> idle, std::span<const std::uint32_t> of,
+void Region::setAside(std::span<const StoredContact> idle, std::span<const std::uint32_t> of,
                       Bodies& bodies, ContactSet& contacts) {
     const auto waits = [&](std::uint32_t body) {
         return (bodies.filter[body].flags & kOutside) != 0;
@@ -147,7 +145,7 @@ void Region::setAside(std::span<const Contact> idle, std::span<const std::uint32
     parked_.take(of, wasFoundAgain, unparked_);
     // Contacts of frozen bodies return to the list, since their end is not yet recorded.
     unparked_.clear();
-    for (const Contact& contact : idle) {
+    for (const StoredContact& contact : idle) {
         if (waits(contact.key.bodyA) || waits(contact.key.bodyB)) {
             parked_.add(contact);
         } else {
@@ -163,7 +161,7 @@ void Region::putBack(Bodies& bodies, ContactSet& contacts) {
     if (unparked_.empty()) {
         return;
     }
-    for (Contact& contact : unparked_) {
+    for (StoredContact& contact : unparked_) {
         describeContact(contact, bodies); // its bodies may have changed since
     }
     contacts.putBack(unparked_, bodies);

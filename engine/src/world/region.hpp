@@ -43,17 +43,14 @@ public:
     /// the region.
     bool update(Bodies& bodies, std::uint32_t body) const;
     /// The same for a body that may have contacts.
-    void place(std::uint32_t body, Bodies& bodies, ContactSet& contacts,
-               const WriteBack& writeBack);
+    void place(std::uint32_t body, Bodies& bodies, ContactSet& contacts);
     /// Parks those contacts of some bodies that have no active body, and puts those with one back.
-    void park(std::span<const std::uint32_t> of, Bodies& bodies, ContactSet& contacts,
-              const WriteBack& writeBack);
+    void park(std::span<const std::uint32_t> of, Bodies& bodies, ContactSet& contacts);
     /// Puts back the contacts of bodies that have become active since the last step.
     void followActivity(Bodies& bodies, ContactSet& contacts);
     /// After setBox(): updates the candidates that entered or left the region, and keeps only these
     /// in the list. The other bodies and their contacts stay as they are.
-    void moveInOut(std::vector<std::uint32_t>& candidates, Bodies& bodies, ContactSet& contacts,
-                   const WriteBack& writeBack);
+    void moveInOut(std::vector<std::uint32_t>& candidates, Bodies& bodies, ContactSet& contacts);
     void unparkContactsOf(std::uint32_t body, Bodies& bodies, ContactSet& contacts);
     const ParkedContacts& parked() const { return parked_; }
 
@@ -71,16 +68,16 @@ public:
     void visitState(StateStream& stream, const Bodies& bodies);
 
 private:
-    void setAside(std::span<const Contact> idle, std::span<const std::uint32_t> of, Bodies& bodies,
-                  ContactSet& contacts);
+    void setAside(std::span<const StoredContact> idle, std::span<const std::uint32_t> of,
+                  Bodies& bodies, ContactSet& contacts);
     void putBack(Bodies& bodies, ContactSet& contacts);
 
     std::optional<Aabb> box_;
     // Of bodies outside the region, during the solve.
     std::vector<std::pair<std::uint32_t, BodyVelocity>> outsideVelocities_;
     ParkedContacts parked_;
-    std::vector<Contact> unparked_; // scratch: a step allocates nothing
-    std::uint32_t scans_ = 0;       // see countScan(); no state, as the tree is none
+    std::vector<StoredContact> unparked_; // scratch: a step allocates nothing
+    std::uint32_t scans_ = 0;             // see countScan(); no state, as the tree is none
 };
 
 } // namespace KODO_PRECISION

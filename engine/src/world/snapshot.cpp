@@ -43,9 +43,6 @@ void WorldImpl::visitState(StateStream& stream, OwnFields ownFields) {
            contacts, impacts, softSolver, propagation, contactVisits, changeVisits, continuous,
            sleep, joints, broken, frozen, region, queries, lastGeometry] = *this;
     // Left out is what the next step computes before use: solvers, continuous collision, caches.
-    if (!stream.reads()) {
-        softSolver.blocks().writeBackAll(contacts.contacts(), bodies);
-    }
     kodo::visitState(stream, settings);
     kodo::visitState(stream, tolerances);
     bodies.turns = settings.has(Feature::Rotation);

@@ -84,7 +84,6 @@ std::size_t WorldImpl::weld(BodyId into, BodyId part) {
         throw BadDefinition({"part", "has a joint that would be invalid: " + problem->text()});
     }
     refuse(checkTogether(bodies_.geometry(into.index), bodies_.geometry(part.index), place));
-    contacts_.writeBack(into.index, writeBack());
     wakeNeighbours(into.index);
     const std::size_t firstPart = bodies_.geometry(into.index).parts.size();
     joints_.transfer(part, into, place);
@@ -107,7 +106,6 @@ std::size_t WorldImpl::weld(BodyId into, const Primitive& shape, const Material&
     const Part part{shape, material, density};
     refuse(checkParts({&part, 1}, tolerances_.unit()));
     refuse(checkTogether(bodies_.geometry(into.index), *makeGeometry({part}), {}));
-    contacts_.writeBack(into.index, writeBack());
     wakeNeighbours(into.index);
     PartList list = bodies_.geometry(into.index);
     list.parts.push_back(part);
@@ -145,9 +143,8 @@ BodyId WorldImpl::unweld(BodyId body, std::size_t part, std::optional<Flags> fla
         refuse(Problem{"flags", "must have kLockMove and kLockRotate: a plane has no mass"});
     }
     const DividedGeometry geometry = divide(bodies_.geometry(body.index), part);
-    contacts_.writeBack(body.index, writeBack());
     wakeNeighbours(body.index);
-    contacts_.partRemoved(body.index, part);
+    contacts_.partRemoved(body.index, part, bodies_);
     const BodyId freed = unweldPart(bodies_, body.index, geometry, made);
     placeInRegion(body.index);
     region_.update(bodies_, freed.index);

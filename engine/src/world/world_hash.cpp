@@ -75,7 +75,7 @@ std::uint64_t WorldImpl::stateHash() const {
         hash.add(bodies_.filter[i].required);
         hash.add(static_cast<std::uint32_t>(record.geometry->parts.size()));
     }
-    const auto addContact = [&](const Contact& contact) {
+    const auto addContact = [&](const StoredContact& contact) {
         if (!contact.wasTouching) {
             return;
         }
@@ -83,17 +83,15 @@ std::uint64_t WorldImpl::stateHash() const {
         hash.add(contact.key.partA);
         hash.add(contact.key.bodyB);
         hash.add(contact.key.partB);
-        for (const Real value : {contact.impulse[0].normal, contact.impulse[1].normal,
-                                 contact.friction, contact.rolling}) {
+        for (const Real value :
+             {contact.numbers.impulse[0].normal, contact.numbers.impulse[1].normal,
+              contact.numbers.friction, contact.numbers.rolling}) {
             hash.add(value);
         }
-        hash.add(static_cast<std::uint8_t>(contact.sliding ? 1 : 0));
+        hash.add(static_cast<std::uint8_t>(contact.numbers.sliding ? 1 : 0));
     };
-    contacts_.store().forEachInOrder([&](std::uint32_t slot) {
-        Contact current = contacts_.contacts()[slot];
-        softSolver_.blocks().writeBack(current, bodies_);
-        addContact(current);
-    });
+    contacts_.store().forEachInOrder(
+        [&](std::uint32_t slot) { addContact(contacts_.store().copyOf(slot, bodies_)); });
     sleep_.forEachContact(addContact);
     region_.parked().forEach(addContact);
     joints_.forEach([&](const JointSet::Joint& joint) {

@@ -125,7 +125,7 @@ void WorldImpl::updateAwake() {
     if (region_.isActive()) {
         for (const std::uint32_t body : bodies_.awake) {
             if (bodies_.ids.aliveAt(body) && !region_.contains(bodies_, body)) {
-                region_.place(body, bodies_, contacts_, writeBack());
+                region_.place(body, bodies_, contacts_);
             }
         }
     }
@@ -153,7 +153,7 @@ void WorldImpl::setRegion(std::optional<Aabb> region) {
                                            ? region_.mayCross(*before, bodies_, queryView())
                                            : region_.mayCross(bodies_);
     changeVisits_ += moved.size();
-    region_.moveInOut(moved, bodies_, contacts_, writeBack());
+    region_.moveInOut(moved, bodies_, contacts_);
     sleep_.wakeOn(bodies_, contacts_, moved);
 }
 
@@ -191,7 +191,7 @@ void WorldImpl::velocityChanged(std::uint32_t body) {
         wakeNeighbours(body);
         if ((bodies_.filter[body].flags & kOutside) != 0) {
             // Again, since it stays outside the region.
-            region_.park({&body, 1}, bodies_, contacts_, writeBack());
+            region_.park({&body, 1}, bodies_, contacts_);
         }
     }
     bodies_.noteActivity(body);
@@ -229,7 +229,7 @@ void WorldImpl::applyImpulse(std::uint32_t body, Vec2 arm, Vec2 impulse) {
 void WorldImpl::remove(BodyId id) {
     kodo::requireAlive(bodies_, id);
     wakeNeighbours(id.index);
-    contacts_.drop(id.index, writeBack());
+    contacts_.drop(id.index, bodies_);
     joints_.dropBody(id.index);
     notePairChanges();
     removeBody(bodies_, id.index);
@@ -354,13 +354,12 @@ void WorldImpl::setSettings(const StepSettings& settings) {
     if ((changed & kSleepFeatures.bits) != 0) {
         sleep_.wakeAll(bodies_, contacts_);
     }
-    softSolver_.blocks().writeBackAll(contacts_.contacts(), bodies_);
     settings_ = settings;
     roomFor_ = 0; // other stages may run
     if (!settings.has(Feature::Friction)) {
-        softSolver_.blocks().discardLanes();
-        for (Contact& contact : contacts_.contacts()) {
-            contact.friction = 0; // otherwise it would warm start the next step
+        contacts_.lanes().discardLanes();
+        for (std::uint32_t slot = 0; slot < contacts_.store().size(); ++slot) {
+            contacts_.store().lane(slot).friction() = 0; // it would warm start the next step
         }
     }
     if (settings.has(Feature::Rotation) != bodies_.turns) {

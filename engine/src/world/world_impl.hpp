@@ -38,6 +38,7 @@ public:
     std::size_t bodyCount() const { return count_; }
     BodyRef operator[](BodyId id) { return {*this, id}; }
     const Bodies& bodyData() const { return bodies_; }
+    ContactSet& contactData() { return contacts_; }
 
     std::size_t weld(BodyId into, BodyId part);
     std::size_t weld(BodyId into, const Primitive& shape, const Material& material, Real density);
@@ -60,7 +61,7 @@ public:
     void step(Real dt, const StepOptions& options);
     /// Records of the last step, to be read with recordSource().
     StepRecords& records() const { return contacts_.records(); }
-    StepRecords::Source recordSource() const { return contacts_.recordSource(writeBack()); }
+    StepRecords::Source recordSource() const { return contacts_.recordSource(bodies_); }
     std::uint64_t stepCount() const { return stepCount_; }
 
     void setRegion(std::optional<Aabb> region);
@@ -95,9 +96,6 @@ private:
 
     void jointsChanged(const JointDef& def);
     void notePairChanges();
-    WriteBack writeBack() const {
-        return [this](Contact& contact) { softSolver_.blocks().writeBack(contact, bodies_); };
-    }
     void wake(std::uint32_t body);
     void wakeNeighbours(std::uint32_t body);
     void bodyChanged(std::uint32_t body);
@@ -105,7 +103,7 @@ private:
     void thaw(std::uint32_t body);
     void addForce(std::uint32_t body, Vec2 force, Real torque);
     void applyImpulse(std::uint32_t body, Vec2 arm, Vec2 impulse);
-    void placeInRegion(std::uint32_t body) { region_.place(body, bodies_, contacts_, writeBack()); }
+    void placeInRegion(std::uint32_t body) { region_.place(body, bodies_, contacts_); }
     void bodyAdded(std::uint32_t body);
     void updateAwake();
 

@@ -36,7 +36,6 @@ WorldStep::WorldStep(WorldImpl& world, Real dt, Executor* executor)
       frozen_(world.frozen_),
       roomFor_(world.roomFor_),
       contactVisits_(world.contactVisits_),
-      writeBack_(world.writeBack()),
       stepCount_(world.stepCount_),
       dt_(dt),
       team_(bodies_.awake.size() >= kMinBodiesForHelp ? executor : nullptr) {}
@@ -52,7 +51,7 @@ void WorldStep::run(StageListener* listener) {
     contacts_.updatePairs(bodies_, joints_.lists(), tolerances_, dt_, team_);
     clearArrivals(bodies_);
     enter(StepStage::Narrow);
-    updateManifolds();
+    contacts_.updateManifolds(bodies_, tolerances_, dt_, team_);
     enter(StepStage::Forces);
     forAwake(beginMotion);
     wakeIslands(arrivals);
@@ -75,11 +74,10 @@ void WorldStep::run(StageListener* listener) {
         breakJoints();
     }
     enter(StepStage::Sleep);
-    sleep_.keepArrivals(bodies_, contacts_, writeBack_);
+    sleep_.keepArrivals(bodies_, contacts_);
     if (settings_.has(Feature::Sleep) && !bodies_.awake.empty() &&
         sleep_.updateSleep(bodies_, contacts_, joints_, settings_, tolerances_, dt_)) {
-        sleep_.sleepIslands(bodies_, contacts_, writeBack_);
-        softSolver_.blocks().shrink(bodies_, contacts_.contacts());
+        sleep_.sleepIslands(bodies_, contacts_);
     }
     if (listener != nullptr) {
         listener->leave();
@@ -107,33 +105,6 @@ void WorldStep::makeRoom() {
     }
 }
 
-/// Updates the manifolds.
-void WorldStep::updateManifolds() {
-    ContactBlocks& blocks = softSolver_.blocks();
-    evictTeleported();
-    noteStart(bodies_);
-    blocks.carry(bodies_, team_);
-    contacts_.updateManifolds(
-        bodies_, tolerances_, dt_,
-        {blocks.carried(), [&](Contact& contact) { blocks.evict(contact, bodies_); }}, team_);
-}
-
-/// Evicts the resident contacts of teleported bodies, so that their manifolds are updated.
-void WorldStep::evictTeleported() {
-    for (const std::uint32_t body : bodies_.changes.teleported) {
-        evictContactsOf(body);
-    }
-}
-
-void WorldStep::evictContactsOf(std::uint32_t body) {
-    contacts_.store().lists().forEach(body, [&](std::uint32_t slot) {
-        if (contacts_.summaries()[slot].row != ContactRow::kNone) {
-            softSolver_.blocks().evict(contacts_.contacts()[slot], bodies_);
-            contacts_.noteRow(slot);
-        }
-    });
-}
-
 /// Wakes islands that awake bodies touch, or bodies that were added or changed.
 void WorldStep::wakeIslands(bool arrivals) {
     if (canWake() || (arrivals && sleep_.anyAsleep())) {
@@ -147,7 +118,7 @@ void WorldStep::gatherForces() {
     const bool toggled = refreshAwake(bodies_);
     joints_.findBusy(bodies_, toggled);
     if (toggled) {
-        contacts_.noteArrivals(bodies_.changes.toggled); // kinematic bodies that stopped
+        contacts_.addArrivals(bodies_.changes.toggled); // kinematic bodies that stopped
     }
     frozen_.clear();
     if (!gatherAccelerations(bodies_, fields_, dt_, team_)) {
@@ -159,7 +130,6 @@ void WorldStep::gatherForces() {
     if (region_.isActive()) {
         region_.makeOutsideStatic(bodies_, contacts_, joints_);
         region_.forEachHeld([&](std::uint32_t body) {
-            evictContactsOf(body);
             contacts_.measureApproach(bodies_, body); // its velocity is zero now
         });
     }
@@ -175,10 +145,8 @@ void WorldStep::runContinuous() {
     if (!contacts_.contacts().empty()) {
         continuous_.run(bodies_, contacts_, joints_, {settings_, tolerances_, dt_}, team_);
         for (const std::uint32_t slot : continuous_.stoppedAtLines()) {
-            Contact& contact = contacts_.contacts()[slot];
-            softSolver_.blocks().evict(contact, bodies_);
-            contact.relativeDisplacement = std::numeric_limits<Real>::max() / 4; // find it again
-            contacts_.noteRow(slot);
+            const ContactLane lane = contacts_.store().lane(slot);
+            lane.relativeDisplacement() = std::numeric_limits<Real>::max() / 4; // find it again
         }
     }
 }
@@ -201,13 +169,11 @@ void WorldStep::forAwake(void (*work)(Bodies&, std::span<const std::uint32_t>)) 
 
 void WorldStep::solve() {
     if (std::holds_alternative<PropagationSettings>(settings_.solver)) {
-        contacts_.visitAll(); // it predicts contacts within the step
         propagation_.solve(bodies_, contacts_, joints_, {settings_, tolerances_, dt_, stepCount_});
-        contacts_.noteManifolds();
         contactVisits_ = propagation_.visits();
         return;
     }
-    impacts_.solve(bodies_, contacts_, softSolver_.blocks(), {settings_, tolerances_, dt_, team_});
+    impacts_.solve(bodies_, contacts_, {settings_, tolerances_, dt_, team_});
     softSolver_.solve(bodies_, contacts_, joints_, {settings_, tolerances_, dt_, team_});
     contactVisits_ = softSolver_.visits();
 }
@@ -218,7 +184,7 @@ void WorldStep::freezeUnsoundForces() {
             freeze(bodies_, body);
             frozen_.push_back(bodies_.idAt(body));
             contacts_.bodyChanged(body); // a frozen body is immovable
-            softSolver_.blocks().discardLanes();
+            contacts_.lanes().discardLanes();
         }
     }
 }
@@ -270,7 +236,6 @@ void WorldStep::freezeUnsoundMotion() {
                 motion.stop();
             }
         }
-        softSolver_.blocks().writeBackAll(contacts_.contacts(), bodies_);
         contacts_.forgetUnsound(bodies_, tolerances_, dt_);
         joints_.forgetUnsound();
         bodies_.changes.allActivity = true;
@@ -289,7 +254,7 @@ void WorldStep::breakJoints() {
 
 /// Updates the contact phases and kColliding. Only bodies whose flag changes are visited.
 void WorldStep::recordCollisions() {
-    contacts_.finishStepOfContacts(softSolver_.blocks().touched(), tolerances_, team_);
+    contacts_.finishStepOfContacts(tolerances_, team_);
     for (const std::uint32_t body : contacts_.touchCounts().changes()) {
         Flags& flags = bodies_.filter[body].flags;
         flags = contacts_.touchCounts().isTouched(body) ? flags | kColliding : flags & ~kColliding;

@@ -16,10 +16,7 @@ public:
 
 private:
     void forAwake(void (*work)(Bodies&, std::span<const std::uint32_t>));
-    void updateManifolds();
     void makeRoom();
-    void evictTeleported();
-    void evictContactsOf(std::uint32_t body);
     void wakeIslands(bool arrivals);
     void gatherForces();
     void solve();
@@ -50,7 +47,6 @@ private:
     std::vector<BodyId>& frozen_;
     std::size_t& roomFor_;
     std::size_t& contactVisits_;
-    WriteBack writeBack_;
     std::uint64_t stepCount_;
     Real dt_;
     WorkerTeam team_;

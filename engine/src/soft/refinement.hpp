@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "lanes/block_bins.hpp"
+
 namespace kodo {
 inline namespace KODO_PRECISION {
 
@@ -27,7 +29,7 @@ inline namespace KODO_PRECISION {
 /// rope, rod or prismatic joint that a heavy body reaches counts like a contact.
 class Refinement {
 public:
-    static constexpr std::uint32_t kLevels = 4; // 1, 2, 4 or 8 parts
+    static constexpr std::uint32_t kLevels = BlockBins::kLevels;
 
     struct Step {
         const Bodies& bodies;
@@ -69,13 +71,14 @@ private:
 
 /// For a contact that responds: true once its bodies may touch within the step, so that it needs a
 /// row. A contact with restitution gets none before it touches: braking would reduce its rebound.
-inline bool needsRow(const Bodies& bodies, const ContactSummary& summary, bool restitution,
-                     Real slop) {
+inline bool needsRow(const Bodies& bodies, const ContactStore& store, std::uint32_t slot,
+                     bool restitution, Real slop) {
+    const ContactSummary& summary = store.summaries()[slot];
     // A touch wakes a sleeping body, proximity does not.
     if (bodies.anySleeping && (bodies.asleep(summary.bodyA) || bodies.asleep(summary.bodyB))) {
         return false;
     }
-    return !(summary.bounces && restitution) || summary.separation[0] <= slop;
+    return !(summary.bounces && restitution) || store.separation(slot) <= slop;
 }
 
 } // namespace KODO_PRECISION

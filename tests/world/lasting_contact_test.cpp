@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Resident contacts keep their manifold across steps while the relative displacement of their
-// bodies is small. A change of a body between steps must evict them.
+// Contacts keep manifold and lane across steps while the relative displacement of their
+// bodies is small, and follow each change of a body between steps.
 #include <support/near.hpp>
 #include <support/scenes.hpp>
 
@@ -20,7 +20,7 @@ struct Standing {
 };
 
 // Any number of teleports between two steps discards the manifold.
-TEST(ResidentContact, IsEvictedByAnyNumberOfTeleports) {
+TEST(LastingContact, IsFoundAgainAfterAnyNumberOfTeleports) {
     for (int times = 1; times <= 8; ++times) {
         SCOPED_TRACE(times);
         Standing scene;
@@ -37,7 +37,7 @@ TEST(ResidentContact, IsEvictedByAnyNumberOfTeleports) {
 
 // The inverse mass in the lanes changes with the body type: 0 while kinematic, the old value
 // afterwards.
-TEST(ResidentContact, TakesOverAChangedBodyType) {
+TEST(LastingContact, TakesOverAChangedBodyType) {
     Standing scene;
     const BodyId top = scene.world.add(support::boxDef({0, Real(1.5)}, 1, 1));
     support::run(scene.world, 60);
@@ -56,7 +56,7 @@ TEST(ResidentContact, TakesOverAChangedBodyType) {
 }
 
 // A stack that moves as a whole with its platform keeps its manifolds and its shape.
-TEST(ResidentContact, StaysWhileAStackMovesAsAWhole) {
+TEST(LastingContact, StaysWhileAStackMovesAsAWhole) {
     World world({.gravity = support::kEarth, .settings = {.leaveOut = Feature::Sleep}});
     const BodyId platform = world.add({.shape = Box{4, 1}, .type = BodyType::Kinematic});
     std::vector<BodyId> boxes;
@@ -74,7 +74,7 @@ TEST(ResidentContact, StaysWhileAStackMovesAsAWhole) {
     }
 }
 
-/// A restored World has no resident contacts yet. It must continue with the same bits.
+/// A restored World has no lane in the passes yet. It must continue with the same bits.
 void expectToGoOnAlike(World& world) {
     World read = fromBytes(toBytes(world));
     for (int step = 0; step < 90; ++step) {
@@ -84,8 +84,8 @@ void expectToGoOnAlike(World& world) {
     }
 }
 
-// A change of settings during a slide applies at once, also to resident contacts.
-TEST(ResidentContact, AppliesNewSettingsAtOnce) {
+// A change of settings during a slide applies at once, also to contacts with a lane.
+TEST(LastingContact, AppliesNewSettingsAtOnce) {
     StepSettings off;
     off.leaveOut = Feature::Friction;
     StepSettings rolling;
@@ -115,7 +115,7 @@ TEST(ResidentContact, AppliesNewSettingsAtOnce) {
 }
 
 // More contacts than colours: one box lies on 40 pieces of ground and carries 70 dynamic boxes.
-TEST(ResidentContact, ContinuesWithTheSameBitsWithoutAFreeColour) {
+TEST(LastingContact, ContinuesWithTheSameBitsWithoutAFreeColour) {
     World world({.gravity = support::kEarth});
     for (int i = 0; i < 40; ++i) {
         world.add({.shape = Box{1, 1},

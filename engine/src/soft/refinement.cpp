@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lanes/refinement.hpp"
+#include "soft/refinement.hpp"
 
 #include "joints/anchor.hpp"
 
@@ -111,7 +111,7 @@ void Refinement::findSeeds(const Step& step) {
         Real carriers = 0;
         step.contactSet.store().lists().forEach(body, [&](std::uint32_t slot) {
             const Contact& contact = step.contactSet.contacts()[slot];
-            const Real separation = step.contactSet.summaries()[slot].separation[0];
+            const Real separation = step.contactSet.store().separation(slot);
             if (contact.responds() && separation <= step.tolerances.slop) {
                 const Real own = loadOf(bodies, contact, body, step.tolerances.slop);
                 load = std::max(load, own);
@@ -164,7 +164,8 @@ void Refinement::spread(const Step& step, std::uint32_t body, std::uint8_t level
             const ContactSummary& summary = step.contactSet.summaries()[slot];
             const std::uint32_t other = summary.bodyA == next ? summary.bodyB : summary.bodyA;
             if (summary.meets && levels_[other] == 0 &&
-                needsRow(bodies, summary, restitution, step.tolerances.slop) &&
+                needsRow(bodies, step.contactSet.store(), slot, restitution,
+                         step.tolerances.slop) &&
                 step.contactSet.contacts()[slot].responds()) {
                 reach(other);
             }
