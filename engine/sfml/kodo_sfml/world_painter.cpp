@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <kodo_sfml/joint_painter.hpp>
 #include <kodo_sfml/world_painter.hpp>
 
-#include <kodo_draw/circle.hpp>
-
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace kodo_sfml {
 
@@ -12,6 +13,7 @@ namespace {
 
 constexpr float kLineWidth = 1.5f;                    // pixels
 constexpr float kPointRadius = 3;                     // pixels
+constexpr float kFrontLength = 7;                     // pixels, mark of a one-sided segment
 constexpr kodo::Real kNormalLength = kodo::Real(0.2); // m
 constexpr std::uint8_t kFilled = 110;                 // opacity, of 255
 constexpr std::uint8_t kHollow = 35;                  // opacity of sleeping bodies
@@ -29,20 +31,84 @@ Rgba colorOf(kodo::BodyId id) {
     return kColors[id.index % kColors.size()];
 }
 
+/// Where the surface of a plane is shown, and what lies behind it there.
+std::vector<Pixel> halfPlane(const kodo::ConvexShape& plane, const kodo::Transform& frame,
+                             const Camera& camera) {
+    const kodo::Vec2 normal = frame.rotation * plane.normals[0];
+    const kodo::Aabb shown = camera.shown();
+    const kodo::Vec2 middle = (shown.lower + shown.upper) / 2;
+    const kodo::Real above = dot(normal, middle - frame * plane.vertices[0]) - plane.radius;
+    const kodo::Vec2 surface = middle - above * normal;
+    const kodo::Real reach = length(shown.upper - shown.lower) + std::abs(above);
+    const kodo::Vec2 along = reach * perp(normal);
+    const kodo::Vec2 depth = reach * normal;
+    return {camera.toPixels(surface - along), camera.toPixels(surface + along),
+            camera.toPixels(surface + along - depth), camera.toPixels(surface - along - depth)};
+}
+
+/// The arc around a corner, from the normal of the edge before it to that of the edge behind it.
+void appendArc(std::vector<Pixel>& corners, const kodo::ConvexShape& convex, std::size_t i,
+               const kodo::Transform& frame, const Camera& camera) {
+    constexpr float kTurn = 2 * std::numbers::pi_v<float>;
+    constexpr float kSides = 24; // of a circle
+    const std::size_t count = convex.vertices.size();
+    const kodo::Vec2 corner = convex.vertices[i];
+    const auto angleOf = [](kodo::Vec2 edge) { return std::atan2(-edge.x, edge.y); };
+    float from = 0;
+    float sweep = kTurn;
+    if (count > 1) {
+        const kodo::Vec2 before = corner - convex.vertices[(i + count - 1) % count];
+        const kodo::Vec2 after = convex.vertices[(i + 1) % count] - corner;
+        from = static_cast<float>(angleOf(before));
+        sweep = static_cast<float>(angleOf(after)) - from;
+        sweep += sweep < 0 ? kTurn : 0;
+    }
+    const int steps = std::max(1, static_cast<int>(std::ceil(kSides * sweep / kTurn)));
+    for (int k = count > 1 ? 0 : 1; k <= steps; ++k) {
+        const float angle = from + sweep * static_cast<float>(k) / static_cast<float>(steps);
+        const kodo::Vec2 out{kodo::Real(std::cos(angle)), kodo::Real(std::sin(angle))};
+        corners.push_back(camera.toPixels(frame * (corner + convex.radius * out)));
+    }
+}
+
+void paintPart(Painter& painter, const Camera& camera, const kodo::ConvexShape& convex,
+               const kodo::Transform& frame, Rgba edge, Rgba fill) {
+    const std::vector<Pixel> corners = outlineOf(convex, frame, camera);
+    if (corners.size() == 1) {
+        painter.disc(corners[0], kPointRadius, edge, edge);
+    } else if (corners.size() == 2) {
+        painter.line(corners[0], corners[1], kLineWidth, edge);
+    } else {
+        painter.polygon(corners, fill);
+        painter.outline(corners, kLineWidth, edge);
+    }
+    if (convex.oneSided) {
+        const Pixel middle =
+            camera.toPixels(frame * ((convex.vertices[0] + convex.vertices[1]) / 2));
+        const kodo::Vec2 front =
+            frame.rotation * normalize(perp(convex.vertices[1] - convex.vertices[0]));
+        painter.line(middle,
+                     middle + kFrontLength *
+                                  Pixel(static_cast<float>(front.x), static_cast<float>(-front.y)),
+                     kLineWidth, edge);
+    }
+}
+
 void paintBody(Painter& painter, const Camera& camera, const kodo::BodyView& body) {
     const bool locked = body.type() != kodo::BodyType::Dynamic;
     const Rgba edge = locked ? kLockedColor : colorOf(body.id());
     const bool resting = (body.flags() & kodo::kAsleep) != 0;
     const Rgba fill{edge.r, edge.g, edge.b, resting ? kHollow : kFilled};
     for (std::size_t i = 0; i < body.partCount(); ++i) {
-        const std::vector<Pixel> corners = cornersOf(body.part(i).convex, body.massFrame(), camera);
-        painter.polygon(corners, fill);
-        painter.outline(corners, kLineWidth, edge);
+        paintPart(painter, camera, body.part(i).convex, body.massFrame(), edge, fill);
     }
-    const kodo::Vec2 center = body.center();
-    const kodo::Real spoke = kodo::Real(0.35) * std::sqrt(body.area());
-    painter.line(camera.toPixels(center), camera.toPixels(center + spoke * body.rotation().xAxis()),
-                 kLineWidth, edge);
+    const kodo::Real area = body.area();
+    if (area > 0 && std::isfinite(area)) {
+        const kodo::Vec2 center = body.center();
+        const kodo::Real spoke = kodo::Real(0.35) * std::sqrt(area);
+        painter.line(camera.toPixels(center),
+                     camera.toPixels(center + spoke * body.rotation().xAxis()), kLineWidth, edge);
+    }
 }
 
 void paintBounds(Painter& painter, const Camera& camera, const kodo::Aabb& box) {
@@ -73,20 +139,18 @@ void paintRecord(Painter& painter, const Camera& camera, const kodo::CollisionRe
 
 } // namespace
 
-std::vector<Pixel> cornersOf(const kodo::ConvexShape& convex, const kodo::Transform& massFrame,
+std::vector<Pixel> outlineOf(const kodo::ConvexShape& convex, const kodo::Transform& massFrame,
                              const Camera& camera) {
-    std::vector<Pixel> corners;
-    if (!convex.isRound()) {
-        for (const kodo::Vec2 vertex : convex.vertices) {
-            corners.push_back(camera.toPixels(massFrame * vertex));
-        }
-        return corners;
+    if (convex.isPlane()) {
+        return halfPlane(convex, massFrame, camera);
     }
-    constexpr int kSides = 24;
-    const Pixel center = camera.toPixels(massFrame * convex.vertices[0]);
-    const float radius = camera.toPixels(convex.radius);
-    for (int i = 0; i < kSides; ++i) {
-        corners.push_back(kodo_draw::onCircle(center, radius, i, kSides));
+    std::vector<Pixel> corners;
+    for (std::size_t i = 0; i < convex.vertices.size(); ++i) {
+        if (convex.radius > 0) {
+            appendArc(corners, convex, i, massFrame, camera);
+        } else {
+            corners.push_back(camera.toPixels(massFrame * convex.vertices[i]));
+        }
     }
     return corners;
 }
@@ -100,6 +164,11 @@ void paintWorld(Painter& painter, const Camera& camera, const kodo::World& world
         }
         if (look.bounds) {
             paintBounds(painter, camera, body.bounds());
+        }
+    }
+    if (look.joints) {
+        for (const kodo::JointId id : world.joints()) {
+            paintJoint(painter, camera, world, world.joint(id));
         }
     }
     if (look.contacts || look.impulses) {

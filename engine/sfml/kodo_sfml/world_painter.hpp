@@ -18,6 +18,7 @@ struct WorldLook {
     bool impulses = false; // of the last step: a line along the normal, length by totalImpulse
     bool bounds = false;   // bounds of the bodies
     float metresPerImpulse = 0.1f; // m/(N s), length of these lines
+    bool joints = true;            // see joint_painter.hpp
 };
 
 /// Adds a World to a picture. Dynamic bodies are coloured by id; static and kinematic ones are
@@ -25,8 +26,9 @@ struct WorldLook {
 void paintWorld(Painter& painter, const Camera& camera, const kodo::World& world,
                 const WorldLook& look = {});
 
-/// The corners of a part in pixels; a circle becomes a polygon.
-std::vector<Pixel> cornersOf(const kodo::ConvexShape& convex, const kodo::Transform& massFrame,
+/// The outline of a part in pixels, as a convex polygon: arcs become chords, and of a plane the
+/// shown piece is taken. A point has one corner, a segment without radius two.
+std::vector<Pixel> outlineOf(const kodo::ConvexShape& convex, const kodo::Transform& massFrame,
                              const Camera& camera);
 
 } // namespace kodo_sfml
