@@ -2,6 +2,7 @@
 // Bodies on revolute joints: figures, chains, wheels and cars. The initial rotation of each is 0.
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "bench_scenes.hpp"
 
@@ -89,6 +90,66 @@ void addCar(SceneDef& scene, Vec2 at) {
     }
 }
 
+/// A body that collides with nothing.
+BodyDef ghost(BodyDef body) {
+    body.category = kGhost;
+    body.mask = kNothing;
+    return body;
+}
+
+/// Measures the largest gap of a run as a share of a link of this length (m).
+void measureGap(Scene& scene, double link) {
+    const auto worst = std::make_shared<double>(0);
+    const Error widest = widestJoint(scene.def); // mm
+    scene.every = 6;
+    scene.act = [=](Stage& stage, int) {
+        *worst = std::max(*worst, widest.measure(stage, {}) / (1000 * link));
+    };
+    scene.error = {"largest gap, share of a link", "",
+                   [=](const Stage&, const Depths&) { return *worst; }};
+}
+
+/// Chains that start level.
+Scene levelChains(const char* name, int count, int links) {
+    constexpr double kLength = 0.3; // m, of a link
+    Scene scene;
+    scene.def = {name, scenes::kDown, {}};
+    for (int chain = 0; chain < count; ++chain) {
+        const Vec2 end{0, -2.0 * chain};
+        BodyDef anchor = wall(0.2, 0.2, end);
+        anchor.category = kGround;
+        scene.def.bodies.push_back(anchor);
+        for (int i = 0; i < links; ++i) {
+            const std::size_t body = scene.def.bodies.size();
+            scene.def.joints.push_back({body - 1, body, end + Vec2{kLength * i, 0}});
+            scene.def.bodies.push_back(
+                ghost(scenes::box(kLength, 0.1, end + Vec2{kLength * (i + 0.5), 0})));
+        }
+    }
+    measureGap(scene, kLength);
+    return scene;
+}
+
+constexpr int kBridges = 4;
+constexpr double kPlank = 0.6; // m
+
+/// Planks between two static banks, drawn level.
+void addBridge(SceneDef& scene, int planks, Vec2 middle) {
+    constexpr double kHigh = 0.2; // m
+    const double left = middle.x - 0.5 * kPlank * planks;
+    const double right = middle.x + 0.5 * kPlank * planks;
+    const std::size_t first = scene.bodies.size();
+    scene.bodies.push_back(wall(1, kHigh, {left - 0.5, middle.y}));
+    for (int i = 0; i < planks; ++i) {
+        const double x = left + kPlank * i;
+        scene.joints.push_back(
+            {first + static_cast<std::size_t>(i), scene.bodies.size(), {x, middle.y}});
+        scene.bodies.push_back(scenes::box(kPlank, kHigh, {x + 0.5 * kPlank, middle.y}));
+    }
+    scene.joints.push_back({scene.bodies.size() - 1, scene.bodies.size(), {right, middle.y}});
+    scene.bodies.push_back(wall(1, kHigh, {right + 0.5, middle.y}));
+}
+
 } // namespace
 
 /// Ten figures in a row; ten rows above each other for 100.
@@ -116,27 +177,98 @@ Scene ragdolls(int size, std::uint64_t) {
     return scene;
 }
 
-/// Chains of 100 links start level.
 Scene chains(int size, std::uint64_t) {
-    constexpr int kLinks = 100;
-    constexpr double kLength = 0.3; // m, of a link
+    return levelChains("chains", size, 100);
+}
+
+Scene shortChains(int size, std::uint64_t) {
+    return levelChains("shortchains", size, 10);
+}
+
+Scene bridge(int size, std::uint64_t) {
     Scene scene;
-    scene.def = {"chains", scenes::kDown, {}};
-    for (int chain = 0; chain < size; ++chain) {
-        const Vec2 end{0, -2.0 * chain};
-        BodyDef anchor = wall(0.2, 0.2, end);
-        anchor.category = kGround;
-        scene.def.bodies.push_back(anchor);
-        for (int i = 0; i < kLinks; ++i) {
-            BodyDef link = scenes::box(kLength, 0.1, end + Vec2{kLength * (i + 0.5), 0});
-            link.category = kGhost;
-            link.mask = kNothing;
-            const std::size_t body = scene.def.bodies.size();
-            scene.def.joints.push_back({body - 1, body, end + Vec2{kLength * i, 0}});
-            scene.def.bodies.push_back(link);
+    scene.def = {"bridge", scenes::kDown, {}};
+    for (int i = 0; i < kBridges; ++i) {
+        addBridge(scene.def, size, {0, 6.0 * i});
+    }
+    measureGap(scene, kPlank);
+    return scene;
+}
+
+Scene bridgeCars(int size, std::uint64_t) {
+    Scene scene;
+    scene.def = {"bridgecars", scenes::kDown, {}};
+    for (int i = 0; i < kBridges; ++i) {
+        addBridge(scene.def, size, {0, 6.0 * i});
+        for (const double x : {-6.0, 0.0, 6.0}) {
+            addCar(scene.def, {x, 6.0 * i + 0.75});
         }
     }
-    scene.error = widestJoint(scene.def);
+    measureGap(scene, kPlank);
+    return scene;
+}
+
+/// The hub is light beside what hangs on it.
+Scene hub(int size, std::uint64_t) {
+    constexpr double kRadius = 0.5; // m
+    Scene scene;
+    scene.def = {"hub", scenes::kDown, {wall(1, 1, {}), scenes::ball(kRadius, {})}};
+    scene.def.joints = {{0, 1, {}}};
+    for (int i = 0; i < size; ++i) {
+        const Vec2 rim = kRadius * scenes::direction(static_cast<double>(i) / size);
+        scene.def.joints.push_back({1, scene.def.bodies.size(), rim});
+        scene.def.bodies.push_back(ghost(scenes::box(0.1, 1, rim - Vec2{0, 0.5})));
+    }
+    scene.def.bodies[0].category = scene.def.bodies[1].category = kGround;
+    measureGap(scene, 1);
+    return scene;
+}
+
+/// Five segments with motors and limits carry a load at their end.
+Scene arm(int size, std::uint64_t) {
+    constexpr double kSegment = 1; // m
+    constexpr int kSegments = 5;
+    Scene scene;
+    scene.def = {"arm", scenes::kDown, {}};
+    for (int i = 0; i < size; ++i) {
+        const Vec2 foot{0, -4.0 * i};
+        scene.def.bodies.push_back(ghost(wall(0.5, 0.5, foot)));
+        for (int k = 0; k < kSegments; ++k) {
+            const Vec2 pin = foot + Vec2{kSegment * k, 0};
+            const std::size_t body = scene.def.bodies.size();
+            scene.def.joints.push_back(
+                {body - 1, body, pin, 0.2, 400.0, scenes::AngleLimits{-0.5, 0.5}});
+            scene.def.bodies.push_back(
+                ghost(scenes::box(kSegment, 0.2, pin + Vec2{0.5 * kSegment, 0})));
+        }
+        scene.def.bodies.back().density = 20;
+    }
+    measureGap(scene, kSegment);
+    return scene;
+}
+
+/// A jib with a motor, and a rope of links with a load of 20 times a link's mass on the end.
+Scene crane(int size, std::uint64_t) {
+    constexpr double kLink = 0.3; // m
+    constexpr int kLinks = 20;
+    Scene scene;
+    scene.def = {"crane", scenes::kDown, {}};
+    for (int i = 0; i < size; ++i) {
+        const Vec2 mast{20.0 * i, 0};
+        const std::size_t jib = scene.def.bodies.size() + 1;
+        scene.def.bodies.push_back(ghost(wall(0.5, 0.5, mast)));
+        scene.def.bodies.push_back(ghost(scenes::box(8, 0.4, mast + Vec2{4, 0})));
+        scene.def.joints.push_back(
+            {jib - 1, jib, mast, 0.2, 5000.0, scenes::AngleLimits{-0.3, 0.8}});
+        for (int k = 0; k < kLinks; ++k) {
+            const Vec2 pin = mast + Vec2{8, -kLink * k};
+            const std::size_t body = scene.def.bodies.size();
+            scene.def.joints.push_back({body - 1, body, pin});
+            scene.def.bodies.push_back(ghost(scenes::box(0.1, kLink, pin - Vec2{0, 0.5 * kLink})));
+        }
+        scene.def.bodies.back().density = 20;
+    }
+    measureGap(scene, kLink);
     return scene;
 }
 

@@ -107,6 +107,12 @@ Scene balls(int size, std::uint64_t seed);
 // bench_jointed.cpp
 Scene ragdolls(int size, std::uint64_t seed);
 Scene chains(int size, std::uint64_t seed);
+Scene shortChains(int size, std::uint64_t seed);
+Scene bridge(int size, std::uint64_t seed);
+Scene bridgeCars(int size, std::uint64_t seed);
+Scene hub(int size, std::uint64_t seed);
+Scene arm(int size, std::uint64_t seed);
+Scene crane(int size, std::uint64_t seed);
 Scene wheel(int size, std::uint64_t seed);
 Scene cars(int size, std::uint64_t seed);
 // bench_bursts.cpp

@@ -14,11 +14,6 @@ constexpr Real kMostRise = Real(1) / 8;
 // Largest change of an arc between two solutions, relative to the arms. A coarser one would decide
 // the number of solutions by the step, and errors would not fall with the square of the step.
 constexpr Real kSameArc = sizeof(Real) == 4 ? Real(0x1p-24) : Real(0x1p-48);
-// Largest relative gain of kinetic energy with arcs in the velocities, beyond that of the rotation
-// of the tree as a whole: a quarter of the square of its rotation (rad per substep), which the
-// relax pass takes away again. The second is for stiff trees.
-constexpr Real kMostGain = Real(1) / 256;
-constexpr Real kMostStiffGain = Real(1) / 4096;
 // Solutions of one substep; loads of 1e5 links need up to eight.
 constexpr int kMostSolutions = 8;
 constexpr std::size_t kSideBySide = 4; // trees
@@ -128,34 +123,12 @@ bool ArticulatedTrees::updateArcs(const Bodies& bodies, const Tree& tree, Real h
     return differ;
 }
 
-/// True if the solution adds much kinetic energy.
-bool ArticulatedTrees::addsEnergy(const Bodies& bodies, const Tree& tree, Real h) {
-    Real before = 0; // J, twice the energy
-    Real after = 0;
-    for (const Member& member : membersOf(tree)) {
-        const BodyVelocity& motion = bodies.motion[member.body];
-        const Vec2 change{member.change[0], member.change[1]};
-        before += lengthSquared(motion.velocity) / motion.invMass;
-        after += lengthSquared(motion.velocity + change) / motion.invMass;
-        if (motion.invInertia > 0) {
-            const Real spin = member.spin + member.change[2];
-            before += motion.angularVelocity * motion.angularVelocity / motion.invInertia;
-            after += spin * spin / motion.invInertia;
-        }
-    }
-    const Real rotation = h * tree.spin;
-    const Real most = (tree.stiff ? kMostStiffGain : kMostGain) + rotation * rotation / 2;
-    return after > (1 + most) * before;
-}
-
-/// Applies the changes of velocities, the displacements and the impulses.
-void ArticulatedTrees::apply(Bodies& bodies, const JointPass& pass, const Tree& tree) {
+/// Applies the changes of velocities, and the impulses.
+void ArticulatedTrees::apply(Bodies& bodies, const Tree& tree) {
     for (const Member& member : membersOf(tree)) {
         BodyVelocity& motion = bodies.motion[member.body];
         motion.velocity += Vec2{member.change[0], member.change[1]};
         motion.angularVelocity = member.spin + member.change[2];
-        motion.deltaPosition += pass.h * Vec2{member.drift[0], member.drift[1]};
-        motion.deltaAngle += pass.h * member.drift[2];
     }
     for (Node& node : nodesOf(tree)) {
         for (std::size_t r = 0; r < node.rows.count; ++r) {
@@ -166,12 +139,10 @@ void ArticulatedTrees::apply(Bodies& bodies, const JointPass& pass, const Tree& 
 
 /// Updates what a tree depends on by its solution. True if the tree is to be solved again; it is
 /// factorized first if `raised`.
-ArticulatedTrees::Next ArticulatedTrees::nextOf(const Bodies& bodies, Tree& tree, Real h) {
+ArticulatedTrees::Next ArticulatedTrees::nextOf(const Bodies& bodies, const Tree& tree, Real h) {
     const bool raised = raisePulls(tree, h);
     const bool bent = updateArcs(bodies, tree, h);
-    const bool gains = tree.arcsInVelocity && addsEnergy(bodies, tree, h);
-    tree.arcsInVelocity = tree.arcsInVelocity && !gains;
-    return raised ? Next::Factorize : bent || gains ? Next::Solve : Next::Done;
+    return raised ? Next::Factorize : bent ? Next::Solve : Next::Done;
 }
 
 void ArticulatedTrees::solveBatch(Bodies& bodies, const JointPass& pass, std::span<Tree> trees) {
@@ -180,7 +151,6 @@ void ArticulatedTrees::solveBatch(Bodies& bodies, const JointPass& pass, std::sp
         if (pass.biased) {
             addPulls(tree);
         }
-        tree.arcsInVelocity = true;
         tree.stiff = false;
         tree.spin = pass.biased ? spinOf(bodies, tree) : 0;
         unsolved_.push_back(&tree);
@@ -200,7 +170,7 @@ void ArticulatedTrees::solveBatch(Bodies& bodies, const JointPass& pass, std::sp
         solveLinear(bodies, pass, unsolved_);
     }
     for (const Tree& tree : trees) {
-        apply(bodies, pass, tree);
+        apply(bodies, tree);
     }
 }
 

@@ -42,8 +42,7 @@ void ArticulatedTrees::begin(const Bodies& bodies, const JointPass& pass, Tree& 
 }
 
 /// Sets q from the velocities before the solve.
-void ArticulatedTrees::measure(const Bodies& bodies, const JointPass& pass, const Tree& tree,
-                               Node& node) {
+void ArticulatedTrees::measure(const Bodies& bodies, const JointPass& pass, Node& node) {
     HeldRows& rows = node.rows;
     const BodyVelocity& a = bodies.motion[node.a];
     const BodyVelocity& b = bodies.motion[node.b];
@@ -53,17 +52,14 @@ void ArticulatedTrees::measure(const Bodies& bodies, const JointPass& pass, cons
     };
     const Triple speedA = velocityOf(a, node.childIsB ? node.parent : node.child);
     const Triple speedB = velocityOf(b, node.childIsB ? node.child : node.parent);
+    const bool spring = node.child == kNone && pass.stiff.impulseScale > 0; // see giving()
     for (std::size_t r = 0; r < rows.count; ++r) {
         node.wanted[r] = -dot(rows.a[r], speedA) - dot(rows.b[r], speedB);
-        node.wantedDrift[r] = 0;
         if (pass.biased) {
-            const bool errorInVelocity = tree.arcsInVelocity && !tree.stiff;
-            (errorInVelocity ? node.wanted : node.wantedDrift)[r] -=
-                pass.stiff.biasRate * rows.error[r];
-            (tree.arcsInVelocity ? node.wanted : node.wantedDrift)[r] -= rows.arc[r];
-            if (node.child == kNone && pass.stiff.impulseScale > 0) { // a spring, see giving()
-                node.wanted[r] += node.wantedDrift[r] - node.give[r] * rows.impulse[r];
-                node.wantedDrift[r] = 0;
+            node.wanted[r] -= pass.stiff.biasRate * rows.error[r];
+            node.wanted[r] -= rows.arc[r];
+            if (spring) {
+                node.wanted[r] -= node.give[r] * rows.impulse[r];
             }
         }
     }
@@ -154,20 +150,20 @@ void ArticulatedTrees::addToParent(Node& node) {
 
 /// Subtracts J_c A_c^-1 c_c from q, then adds J_p^T S^-1 q to c of the parent.
 template <std::size_t N>
-void ArticulatedTrees::reduce(Node& node, const Unknowns& of) {
-    Triple& wanted = node.*of.wanted;
+void ArticulatedTrees::reduce(Node& node) {
+    Triple& wanted = node.wanted;
     if (node.child != kNone) {
-        const Triple& push = members_[node.child].*of.push;
+        const Triple& push = members_[node.child].push;
         for (std::size_t r = 0; r < N; ++r) {
             wanted[r] -= dot(node.answer[r], push);
         }
     }
     const Triple impulse = node.factors.solveFirst<N>(wanted);
-    node.*of.impulse = impulse;
+    node.impulse = impulse;
     if (node.parent == kNone) {
         return;
     }
-    Triple& push = members_[node.parent].*of.push;
+    Triple& push = members_[node.parent].push;
     const std::array<Triple, 3>& j = node.childIsB ? node.rows.a : node.rows.b;
     for (std::size_t r = 0; r < N; ++r) {
         for (std::size_t k = 0; k < 3; ++k) {
@@ -178,10 +174,10 @@ void ArticulatedTrees::reduce(Node& node, const Unknowns& of) {
 
 /// Back substitution: the impulse l from the change of the parent, then the change of the child.
 template <std::size_t N>
-void ArticulatedTrees::backSubstitute(Node& node, const Unknowns& of) {
-    Triple& impulse = node.*of.impulse;
+void ArticulatedTrees::backSubstitute(Node& node) {
+    Triple& impulse = node.impulse;
     if (node.parent != kNone) {
-        const Triple& change = members_[node.parent].*of.change;
+        const Triple& change = members_[node.parent].change;
         for (std::size_t k = 0; k < 3; ++k) {
             for (std::size_t r = 0; r < N; ++r) {
                 impulse[r] -= node.columns[k][r] * change[k];
@@ -192,13 +188,13 @@ void ArticulatedTrees::backSubstitute(Node& node, const Unknowns& of) {
         return;
     }
     Member& child = members_[node.child];
-    Triple change = child.factors.solve(child.*of.push);
+    Triple change = child.factors.solve(child.push);
     for (std::size_t r = 0; r < N; ++r) {
         for (std::size_t k = 0; k < 3; ++k) {
             change[k] += impulse[r] * node.answer[r][k];
         }
     }
-    child.*of.change = change;
+    child.change = change;
 }
 
 /// Visits all nodes, those of each tree from the leaves to the root, tree by tree in turn.
@@ -266,40 +262,28 @@ void ArticulatedTrees::factorizeTrees(const Bodies& bodies, const JointPass& pas
     }
 }
 
-/// Solves for the unknowns from `wanted` of all nodes.
-void ArticulatedTrees::solveNodes(std::span<Tree* const> trees, const Unknowns& of) {
-    fromLeaves(trees, [&](Node& node) {
-        node.rows.count == 2 ? reduce<2>(node, of) : reduce<3>(node, of);
-    });
-    for (const Tree* tree : trees) {
-        if (!tree->anchored) {
-            Member& root = members_[tree->firstMember];
-            root.*of.change = root.factors.solve(root.*of.push);
-        }
-    }
-    fromRoots(trees, [&](Node& node) {
-        node.rows.count == 2 ? backSubstitute<2>(node, of) : backSubstitute<3>(node, of);
-    });
-}
-
 /// Solves the linear systems for the present arcs.
 void ArticulatedTrees::solveLinear(const Bodies& bodies, const JointPass& pass,
                                    std::span<Tree* const> trees) {
     for (const Tree* tree : trees) {
         for (Member& member : membersOf(*tree)) {
-            member.push = member.driftPush = member.drift = {};
+            member.push = {};
         }
         for (Node& node : nodesOf(*tree)) {
-            measure(bodies, pass, *tree, node);
+            measure(bodies, pass, node);
         }
     }
-    solveNodes(trees, {&Member::push, &Member::change, &Node::wanted, &Node::impulse});
-    for (Tree* const tree : trees) {
-        if (pass.biased && (tree->stiff || !tree->arcsInVelocity)) {
-            solveNodes({&tree, 1}, {&Member::driftPush, &Member::drift, &Node::wantedDrift,
-                                    &Node::driftImpulse});
+    fromLeaves(trees,
+               [&](Node& node) { node.rows.count == 2 ? reduce<2>(node) : reduce<3>(node); });
+    for (const Tree* tree : trees) {
+        if (!tree->anchored) {
+            Member& root = members_[tree->firstMember];
+            root.change = root.factors.solve(root.push);
         }
     }
+    fromRoots(trees, [&](Node& node) {
+        node.rows.count == 2 ? backSubstitute<2>(node) : backSubstitute<3>(node);
+    });
 }
 
 } // namespace KODO_PRECISION

@@ -69,9 +69,7 @@ struct HeldRows {
 /// l. A is a sum of positive terms, so mass ratios of a million lose no digits.
 ///
 /// The system is solved again while its solution changes what it depends on: the arcs of the
-/// anchors, and the forces that bound inertia from below (see begin()). Where that bound is in
-/// effect, the error is left out of b, so that it adds no kinetic energy: the same factors give
-/// displacements dx with J dx = -h rate error instead. The arcs follow if they would add much.
+/// anchors, and the forces that bound inertia from below (see begin()).
 ///
 /// The soft solver solves a loaded tree directly. A tree is loaded if a joint carries more than
 /// kMostCarried times the reduced mass of its two bodies: a soft joint opens in proportion to that
@@ -116,8 +114,6 @@ private:
         Real spin = 0;                        // rad/s, before the solve
         Triple push{};                        // c
         Triple change{};                      // dv
-        Triple driftPush{};                   // c of the displacement
-        Triple drift{};                       // dx / h
     };
     /// A joint of a tree. It has a child, a parent, or both; a missing one is an immovable body.
     struct Node {
@@ -133,16 +129,7 @@ private:
         std::array<Triple, 3> columns{};           // of S^-1 J_p
         Triple give{};                             // see giving()
         Triple wanted{};                           // q
-        Triple wantedDrift{};                      // q of the displacement
         Triple impulse{};                          // l; from reduce() on, S^-1 q
-        Triple driftImpulse{};                     // the same of the displacement
-    };
-    /// The members of a linear system: that of the velocities, or that of the displacements.
-    struct Unknowns {
-        Triple Member::*push;
-        Triple Member::*change;
-        Triple Node::*wanted;
-        Triple Node::*impulse;
     };
     /// A range of nodes, from the root to the leaves, and of members.
     struct Tree {
@@ -150,8 +137,7 @@ private:
         std::size_t nodes;
         std::size_t firstMember;
         std::size_t members;
-        bool anchored; // false: the first member has no parent joint
-        bool arcsInVelocity = true;
+        bool anchored;           // false: the first member has no parent joint
         bool stiff = false;      // the lower bound of inertia is in effect, see begin()
         bool factorized = false; // for the present positions and the true inertia
         bool reusable = true;    // the factors of one pass may serve another
@@ -176,7 +162,7 @@ private:
     std::uint32_t join(std::uint32_t body);
     bool isDirect(const Bodies& bodies, std::span<const Edge> edges, bool anchored);
     void solveBatch(Bodies& bodies, const JointPass& pass, std::span<Tree> trees);
-    Next nextOf(const Bodies& bodies, Tree& tree, Real h);
+    Next nextOf(const Bodies& bodies, const Tree& tree, Real h);
     void resetInertia(const Bodies& bodies, const Tree& tree);
     void factorizeTrees(const Bodies& bodies, const JointPass& pass, std::span<Tree* const> trees);
     void solveLinear(const Bodies& bodies, const JointPass& pass, std::span<Tree* const> trees);
@@ -184,9 +170,8 @@ private:
     void addPulls(const Tree& tree);
     bool raisePulls(const Tree& tree, Real h);
     bool updateArcs(const Bodies& bodies, const Tree& tree, Real h);
-    bool addsEnergy(const Bodies& bodies, const Tree& tree, Real h);
     void begin(const Bodies& bodies, const JointPass& pass, Tree& tree);
-    void measure(const Bodies& bodies, const JointPass& pass, const Tree& tree, Node& node);
+    void measure(const Bodies& bodies, const JointPass& pass, Node& node);
     template <std::size_t N>
     Symmetric3 carry(Node& node);
     Triple giving(const Bodies& bodies, const Node& node, const JointPass& pass) const;
@@ -194,15 +179,14 @@ private:
     template <std::size_t N>
     void addToParent(Node& node);
     template <std::size_t N>
-    void reduce(Node& node, const Unknowns& of);
+    void reduce(Node& node);
     template <std::size_t N>
-    void backSubstitute(Node& node, const Unknowns& of);
-    void solveNodes(std::span<Tree* const> trees, const Unknowns& of);
+    void backSubstitute(Node& node);
     template <typename Visit>
     void fromLeaves(std::span<Tree* const> trees, Visit visit);
     template <typename Visit>
     void fromRoots(std::span<Tree* const> trees, Visit visit);
-    void apply(Bodies& bodies, const JointPass& pass, const Tree& tree);
+    void apply(Bodies& bodies, const Tree& tree);
     std::span<Node> nodesOf(const Tree& tree);
     std::span<Member> membersOf(const Tree& tree);
 
