@@ -274,6 +274,7 @@ private:
             left.step(Real(1) / 60);
             right.step(Real(1) / 60);
             fuzz::require(left.stateHash() == right.stateHash(), "bytes continue with other bits");
+            fuzz::require(toBytes(left) == toBytes(right), "bytes continue with other bytes");
             return;
         }
         default:

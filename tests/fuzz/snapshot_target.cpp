@@ -2,7 +2,7 @@
 // Any bytes as a snapshot, with the right checksum: refused, or a World that steps, and whose bytes
 // give the same World again. The bytes are changes of those of a small World: pairs of place and
 // value. Without the first byte's lowest bit they are the snapshot itself.
-#include "base/state_stream.hpp"
+#include "base/checksum.hpp"
 
 #include <fuzz/fuzz.hpp>
 

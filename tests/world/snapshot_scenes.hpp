@@ -4,6 +4,7 @@
 #include <kodo/kodo.hpp>
 #include <support/random_numbers.hpp>
 
+#include "base/checksum.hpp"
 #include "base/state_stream.hpp"
 
 #include <memory>

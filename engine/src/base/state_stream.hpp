@@ -2,7 +2,6 @@
 #pragma once
 
 #include <kodo/error.hpp>
-#include <kodo/state_hash.hpp>
 
 #include "base/members.hpp"
 
@@ -15,6 +14,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -35,10 +35,48 @@ inline void require(const std::optional<Problem>& problem) {
     }
 }
 
+class StateStream;
+
+template <typename T>
+concept hasOwnState = requires(T& value, StateStream& stream) {
+    value.visitState(stream);
+};
+/// An id: its World is not stored.
+template <typename T>
+concept isId = requires(T& id) {
+    id.index, id.generation, id.world;
+};
+
 /// True for ascending indices below `count`.
 inline bool areInOrder(std::span<const std::uint32_t> list, std::size_t count) {
     return std::adjacent_find(list.begin(), list.end(), std::greater_equal()) == list.end() &&
            (list.empty() || list.back() < count);
+}
+
+template <typename T>
+constexpr bool isPlain();
+template <typename T, typename... Members>
+inline constexpr bool kIsGapless = (isPlain<Members>() && ...) &&
+                                   (sizeof(Members) + ... + 0) == sizeof(T);
+
+/// True for a type whose bytes in memory are those of its members, in order and without gaps. Such
+/// values are copied as one block. `bool` is not one of them: it is checked.
+template <typename T>
+constexpr bool isPlain() {
+    if constexpr (std::endian::native != std::endian::little || std::is_same_v<T, bool> ||
+                  !std::is_trivially_copyable_v<T> || std::is_pointer_v<T>) {
+        return false;
+    } else if constexpr (!std::is_class_v<T>) {
+        return true;
+    } else if constexpr (requires { std::tuple_size<T>::value; }) { // an array
+        return isPlain<typename T::value_type>();
+    } else if constexpr (!std::is_aggregate_v<T> || isId<T> || hasOwnState<T>) {
+        return false;
+    } else {
+        return decltype(withMembers(std::declval<T&>(), []<typename... M>(M&...) {
+            return std::bool_constant<kIsGapless<T, M...>>();
+        }))::value;
+    }
 }
 
 /// Writes the state of a World as bytes, or reads it: one list serves both directions, so they
@@ -84,9 +122,7 @@ public:
     /// A list whose elements visit(element) writes or reads.
     template <typename Value, typename Visit>
     void list(std::vector<Value>& values, Visit visit) {
-        auto length = static_cast<std::uint32_t>(values.size());
-        number(length);
-        require(!reads_ || length <= left(), "a list is longer than the remaining bytes");
+        std::uint32_t length = lengthOf(values.size(), 1);
         if (!reads_) {
             std::for_each(values.begin(), values.end(), visit);
             return;
@@ -100,10 +136,12 @@ public:
 private:
     template <typename Value>
     void one(Value& value) {
-        if constexpr (requires { value.visitState(*this); }) {
+        if constexpr (hasOwnState<Value>) {
             value.visitState(*this);
-        } else if constexpr (requires { value.index, value.generation, value.world; }) {
-            auto& [index, generation, world] = value; // an id: its World is not stored
+        } else if constexpr (isPlain<Value>()) {
+            block(&value, sizeof value);
+        } else if constexpr (isId<Value>) {
+            auto& [index, generation, world] = value;
             (*this)(index, generation);
         } else if constexpr (std::is_arithmetic_v<Value> || std::is_enum_v<Value>) {
             number(value);
@@ -113,7 +151,7 @@ private:
     }
     void one(bool& value) {
         auto byte = static_cast<std::uint8_t>(value);
-        number(byte);
+        one(byte);
         require(byte <= 1, "a bool is neither 0 nor 1");
         if (reads_) {
             value = byte == 1;
@@ -121,7 +159,15 @@ private:
     }
     template <typename Value>
     void one(std::vector<Value>& values) {
-        list(values, [this](Value& value) { one(value); });
+        if constexpr (isPlain<Value>()) {
+            const std::uint32_t length = lengthOf(values.size(), sizeof(Value));
+            values.resize(length);
+            if (length > 0) {
+                block(values.data(), length * sizeof(Value));
+            }
+        } else {
+            list(values, [this](Value& value) { one(value); });
+        }
     }
     template <typename Value, std::size_t N>
     void one(std::array<Value, N>& values) {
@@ -143,36 +189,43 @@ private:
     template <typename... Kinds>
     void one(std::variant<Kinds...>& value) {
         auto kind = static_cast<std::uint8_t>(value.index());
-        number(kind);
+        one(kind);
         if (reads_) {
             std::uint8_t i = 0;
             const bool known = ((i++ == kind && (value = Kinds{}, true)) || ...);
             require(known, "the kind of a shape, joint or solver is unknown");
         }
-        std::visit([this](auto& alternative) { one(alternative); }, value);
+        std::visit([this](auto& alternative) { this->one(alternative); }, value);
     }
 
-    /// A number, or an enumerator.
+    /// Length of a list, whose elements have at least `least` bytes.
+    std::uint32_t lengthOf(std::size_t size, std::size_t least) {
+        auto length = static_cast<std::uint32_t>(size);
+        one(length);
+        require(!reads_ || length <= left() / least, "a list is longer than the remaining bytes");
+        return length;
+    }
+    /// A number, or an enumerator, of a machine that stores the high byte first.
     template <typename Number>
     void number(Number& value) {
-        constexpr std::size_t kSize = sizeof(Number);
-        if (reads_) {
-            require(left() >= kSize, "the bytes end too soon");
-            copy(remaining_.data(), reinterpret_cast<std::byte*>(&value), kSize);
-            remaining_ = remaining_.subspan(kSize);
-            return;
-        }
-        if (written_.size() - size_ < kSize) {
-            written_.resize(2 * written_.size() + kLeastRoom);
-        }
-        copy(reinterpret_cast<const std::byte*>(&value), &written_[size_], kSize);
-        size_ += kSize;
+        std::array<std::byte, sizeof(Number)> bytes;
+        std::memcpy(&bytes, &value, sizeof value);
+        std::reverse(bytes.begin(), bytes.end());
+        block(&bytes, sizeof bytes);
+        std::reverse(bytes.begin(), bytes.end());
+        std::memcpy(&value, &bytes, sizeof value);
     }
-    static void copy(const std::byte* from, std::byte* to, std::size_t size) {
-        if constexpr (std::endian::native == std::endian::little) {
-            std::memcpy(to, from, size);
+    void block(void* value, std::size_t size) {
+        if (reads_) {
+            require(left() >= size, "the bytes end too soon");
+            std::memcpy(value, remaining_.data(), size);
+            remaining_ = remaining_.subspan(size);
         } else {
-            std::reverse_copy(from, from + size, to);
+            if (written_.size() - size_ < size) {
+                written_.resize(2 * (size_ + size) + kLeastRoom);
+            }
+            std::memcpy(&written_[size_], value, size);
+            size_ += size;
         }
     }
 
@@ -183,15 +236,6 @@ private:
     std::span<const std::byte> remaining_;
     bool reads_ = false;
 };
-
-/// FNV-1a, 64 bits. Two sequences that differ in exactly one byte have different checksums.
-inline std::uint64_t checksumOf(std::span<const std::byte> bytes) {
-    StateHash hash;
-    for (const std::byte byte : bytes) {
-        hash.add(std::to_integer<std::uint8_t>(byte));
-    }
-    return hash.value();
-}
 
 } // namespace KODO_PRECISION
 } // namespace kodo

@@ -24,7 +24,8 @@ class Geometries {
 public:
     void note(const std::shared_ptr<const BodyGeometry>& geometry) {
         const auto number = static_cast<std::uint32_t>(all_.size() + 1); // 0: none
-        if (geometry && numbers_.emplace(geometry.get(), number).second) {
+        const bool isLast = number > 1 && all_.back() == geometry;       // equal bodies in sequence
+        if (geometry && !isLast && numbers_.emplace(geometry.get(), number).second) {
             all_.push_back(geometry);
         }
     }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/settings.hpp>
+#include <kodo/world.hpp>
 
 #include "base/checks.hpp"
+#include "base/state_stream.hpp"
 
 #include <string>
 #include <utility>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/snapshot.hpp>
 
+#include "base/checksum.hpp"
 #include "world/world_impl.hpp"
 
 #include <string>
@@ -50,7 +51,7 @@ void WorldImpl::visitState(StateStream& stream, OwnFields ownFields) {
     stream.list(fields, [&](FieldEntry& entry) {
         kodo::visitState(stream, entry, ownFields);
         require(entry.field == nullptr ? std::nullopt
-                                       : checkField(*entry.field, tolerances.unit()));
+                                       : checkField(*entry.field, tolerances_.unit()));
     });
     require(ownFields.empty(), "more user-defined force fields were given than the snapshot needs");
     joints.visitState(stream, bodies, tolerances.unit());
