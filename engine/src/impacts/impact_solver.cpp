@@ -3,6 +3,7 @@
 
 #include "base/vector_reuse.hpp"
 #include "contacts/contact_update.hpp"
+#include "math/friction.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,8 +42,10 @@ Real frictionOf(const Response& k, const Material& material, Real stop, Real sli
     const Real m = k.tt - k.nt * coupling;
     const Real plain = (1 + e) * stop;
     Real j = -(sliding + k.nt * plain) / m;
-    if (std::abs(j) > material.staticFriction * (plain - coupling * j)) {
-        const Real mu = j > 0 ? material.kineticFriction : -material.kineticFriction;
+    const auto answer = frictionImpulse<Real>(
+        {material.staticFriction, material.kineticFriction, plain - coupling * j, 1}, j);
+    if (answer.impulse != j) {
+        const Real mu = j > 0 ? answer.coefficient : -answer.coefficient;
         const Real steep = 1 + mu * coupling; // <= 0: this side of the cone has no end
         const Real most = steep > 0 ? mu * plain / steep : j;
         j = j > 0 ? std::min(j, most) : std::max(j, most);
@@ -77,9 +80,8 @@ void applyFriction(const Impact& hit, std::size_t i, Real jn) {
     }
     const Real stick = -dot(t, hit.relativeVelocity(i)) / k;
     const Material& material = hit.contact->material;
-    const Real limit = material.kineticFriction * jn;
-    const bool sticks = std::abs(stick) <= material.staticFriction * jn;
-    hit.push(i, 0, sticks ? stick : std::clamp(stick, -limit, limit));
+    const FrictionLimits<Real> limits{material.staticFriction, material.kineticFriction, jn, 1};
+    hit.push(i, 0, frictionImpulse(limits, stick).impulse);
 }
 
 void applyFrictionToBoth(const Impact& hit, Real j1, Real j2) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "impacts/simultaneous_impacts.hpp"
 
+#include "math/friction.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -84,9 +86,9 @@ bool SimultaneousImpacts::iterate(Real tolerance, int most) {
             }
             const Real sliding = dot(point.tangent, point.relativeVelocity());
             const Real stick = point.friction - sliding * point.tangentialMass;
-            const Real limit = point.kineticFriction * next;
-            const bool sticks = std::abs(stick) <= point.staticFriction * next;
-            const Real friction = sticks ? stick : std::clamp(stick, -limit, limit);
+            const Real friction =
+                frictionImpulse<Real>({point.staticFriction, point.kineticFriction, next, 1}, stick)
+                    .impulse;
             const Real change = friction - point.friction;
             if (change != 0) {
                 point.friction = friction;

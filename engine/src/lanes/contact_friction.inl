@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Included by contact_passes.inl, whose first lines hold here too: both points of a contact and
 // friction at once, and the limits of friction.
+#include "math/friction.hpp"
+
 #include <limits>
 
 #include "lanes/contact_lanes.inl"
@@ -108,44 +110,27 @@ KODO_LANES_INLINE Together together(const ContactBlock& block, int at, const Unc
     return wanted;
 }
 
-/// Both points share one friction impulse: |friction| <= mu (sum of normal impulses). `stick` is
-/// the impulse that stops all sliding. Returns the change (N s).
-KODO_LANES_INLINE Lanes applyFriction(ContactBlock& block, int at, Lanes stick, Lanes pressed) {
-    const Lanes friction = load(block.friction + at);
-    const Lanes slip = load(block.kineticFriction + at) * pressed;
-    const Lanes next = larger(smaller(stick, slip), -slip);
-    store(block.friction + at, next);
-    return next - friction;
-}
-
-/// applyFriction() where the static coefficient may exceed the kinetic one. A contact that sticks
-/// begins to slide if static friction cannot stop it within the step: what happens at once, as the
-/// push of a belt that changes its speed once a step, is shared by the substeps that are left. A
-/// contact that slides does so with the kinetic coefficient until static friction stops it in one
-/// substep.
-KODO_LANES_INLINE Lanes applyUnlikeFriction(ContactBlock& block, int at, Lanes stick, Lanes pressed,
-                                            Real left) {
-    const Lanes friction = load(block.friction + at);
-    const Lanes known = load(block.staticFriction + at);
-    const Lanes coefficient = larger(known, -known);
-    const Lanes hold = coefficient * pressed;
-    const Lanes kinetic = load(block.kineticFriction + at);
-    const Lanes slip = kinetic * pressed;
-    const Lanes reach = known < Lanes{} ? hold : all(left) * hold;
-    const auto slides =
-        (larger(stick, -stick) > reach) & (pressed > Lanes{}) & (kinetic < coefficient);
-    const Lanes limit = slides ? slip : hold;
-    const Lanes next = larger(smaller(stick, limit), -limit);
-    store(block.friction + at, next);
-    store(block.staticFriction + at, slides ? -coefficient : coefficient);
-    return next - friction;
-}
-
-/// Either of them.
+/// Both points share one friction impulse. `stick` is the impulse that stops all sliding (N s),
+/// `left` the number of substeps that are left. If a block is not `unlike`, its static coefficients
+/// are the kinetic ones. Returns the change (N s).
 template <bool unlike>
-KODO_LANES_INLINE Lanes rub(ContactBlock& block, int at, Lanes stick, Lanes pressed, Real left) {
-    return unlike ? applyUnlikeFriction(block, at, stick, pressed, left)
-                  : applyFriction(block, at, stick, pressed);
+KODO_LANES_INLINE Lanes applyFriction(ContactBlock& block, int at, Lanes stick, Lanes pressed,
+                                      Real left) {
+    const Lanes friction = load(block.friction + at);
+    const Lanes kinetic = load(block.kineticFriction + at);
+    Lanes next;
+    if constexpr (unlike) {
+        const Lanes known = load(block.staticFriction + at); // < 0: it slides
+        const Lanes coefficient = larger(known, -known);
+        const Lanes reach = known < Lanes{} ? all(1) : all(left);
+        const auto answer = frictionImpulse<Lanes>({coefficient, kinetic, pressed, reach}, stick);
+        next = answer.impulse;
+        store(block.staticFriction + at, answer.slides ? -coefficient : coefficient);
+    } else {
+        next = frictionImpulse<Lanes>(kinetic, pressed, stick);
+    }
+    store(block.friction + at, next);
+    return next - friction;
 }
 
 } // namespace

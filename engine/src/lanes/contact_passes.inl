@@ -111,7 +111,7 @@ KODO_LANES_INLINE void solveRolling(const RollingBlock& rolling, ContactBlock& b
     const Lanes impulse = load(block.rolling + at);
     const Lanes limit = load(rolling.lever + at) * pressed;
     const Lanes wanted = impulse - load(rolling.mass + at) * (pair.b.z - pair.a.z);
-    const Lanes next = larger(smaller(wanted, limit), -limit);
+    const Lanes next = within<Lanes>(limit, wanted);
     store(block.rolling + at, next);
     spin(pair, next - impulse, next - impulse);
 }
@@ -184,7 +184,7 @@ KODO_LANES_INLINE void solveLanes(ContactBlock& block, const RollingBlock* rolli
     }
     push(pair, nx, ny, change);
     if (task == Task::Relax && settings.friction) {
-        const Lanes rubbed = rub<unlike>(block, at, stick, sum, settings.left);
+        const Lanes rubbed = applyFriction<unlike>(block, at, stick, sum, settings.left);
         push(pair, -ny, nx, rubbed);
         spin(pair, tangent, rubbed);
     }

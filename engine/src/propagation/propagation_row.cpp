@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "propagation/propagation_row.hpp"
 
+#include "math/friction.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -96,16 +98,15 @@ void solveNormals(PropagationRow& row, const Pair& pair, Real fraction, Real inv
 }
 
 void solveFriction(PropagationRow& row, const Pair& pair) {
-    const Real load = row.load();
     const Vec2 t = perp(row.normal);
     const Real k = pair.masses.response(row.tangentLeverA, row.tangentLeverB);
     if (!(k > 0)) {
         return;
     }
     const Real stick = row.friction - pair.speed(t, row.tangentLeverA, row.tangentLeverB) / k;
-    const Real slip = row.kineticFriction * load;
-    const bool sticks = std::abs(stick) <= row.staticFriction * load;
-    const Real next = sticks ? stick : std::clamp(stick, -slip, slip);
+    const Real next =
+        frictionImpulse<Real>({row.staticFriction, row.kineticFriction, row.load(), 1}, stick)
+            .impulse;
     const Real change = next - row.friction;
     row.friction = next;
     pair.push(change * t, change * row.tangentLeverA, change * row.tangentLeverB);
@@ -118,7 +119,7 @@ void solveRolling(PropagationRow& row, const Pair& pair) {
     }
     const Real limit = row.rollingLever * row.load();
     const Real wanted = row.rolling - (pair.b.angularVelocity - pair.a.angularVelocity) / freedom;
-    const Real next = std::clamp(wanted, -limit, limit);
+    const Real next = within(limit, wanted);
     const Real change = next - row.rolling;
     row.rolling = next;
     pair.push({}, change, change);
