@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdlib>
 #include <initializer_list>
 #include <vector>
@@ -27,22 +29,35 @@ inline constexpr bool kDouble = true;
 inline constexpr bool kDouble = false;
 #endif
 
+/// True with KODO_TESTS_FULL (tools/test --full).
+#ifdef KODO_TESTS_FULL
+inline constexpr bool kFull = true;
+#else
+inline constexpr bool kFull = false;
+#endif
+
 /// Number of random cases: `whole` in float, half of it in double, a tenth under a sanitizer.
 constexpr int draws(int whole) {
     return whole / (kSanitized ? 10 : kDouble ? 2 : 1);
 }
 
-/// All values in float; the first one in double and under a sanitizer.
+/// All values in a full run; each day the first two in float, the first one in double and under a
+/// sanitizer. So the value that finds most comes first.
 template <typename T>
 std::vector<T> variants(std::initializer_list<T> values) {
-    return kSanitized || kDouble ? std::vector<T>{*values.begin()} : std::vector<T>(values);
+    if (kFull && !kSanitized) {
+        return values;
+    }
+    const std::size_t most = kSanitized || kDouble ? 1 : 2;
+    return {values.begin(), values.begin() + std::min(most, values.size())};
 }
 
-/// Number of random poses for each pair of kinds of shapes in tests/collide. The environment
-/// variable RANDOM_POSES sets it, as 10000 for a thorough run; each seed is fixed.
+/// Number of random poses for each pair of kinds of shapes in tests/collide: each day half of those
+/// of a full run. The environment variable RANDOM_POSES sets it, as 10000 for a thorough run; each
+/// seed is fixed.
 inline int poses() {
     static const char* const wanted = std::getenv("RANDOM_POSES");
-    return wanted == nullptr ? (kSanitized ? 300 : draws(2000)) : std::atoi(wanted);
+    return wanted == nullptr ? (kSanitized ? 300 : draws(kFull ? 2000 : 1000)) : std::atoi(wanted);
 }
 
 } // namespace support

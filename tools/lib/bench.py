@@ -10,7 +10,7 @@ import chart
 import measure
 from measure import number
 
-OUT = pathlib.Path("build/bench")
+OUT = pathlib.Path("build/bench/report")
 
 class Wanted(typing.NamedTuple):
     """A scene, its size, and the targets of the default profile. None: no limit."""

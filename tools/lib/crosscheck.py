@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The page of tools/crosscheck: reads the JSON of build/release/bin/crosscheck, writes HTML."""
+"""The page of tools/crosscheck: reads the JSON of build/bench/bin/crosscheck, writes HTML."""
 import html
 import json
 import math
@@ -514,7 +514,7 @@ def main():
         return 0
     if chosen.check_options:
         return 0
-    program = chosen.program or pathlib.Path("build/release/bin/crosscheck")
+    program = chosen.program or pathlib.Path("build/bench/bin/crosscheck")
     run = subprocess.run([program], stdout=subprocess.PIPE, check=False)
     if run.returncode not in (0, 1):
         sys.stderr.write(f"{program} ended with {run.returncode}.\n")

@@ -7,7 +7,7 @@ import pathlib
 import subprocess
 import typing
 
-PROGRAM = pathlib.Path("build/release/bin/conserve")
+PROGRAM = pathlib.Path("build/bench/bin/conserve")
 INK, FAINT, GREY = "#24292f", "#e4e8ec", "#57606a"
 BLUE, GREEN, ORANGE, PURPLE, PINK = "#1f6feb", "#2da44e", "#d1570b", "#8250df", "#bf3989"
 WIDTH, HEIGHT = 400, 250  # of a panel

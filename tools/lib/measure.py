@@ -13,7 +13,7 @@ import time
 
 import options
 
-BENCH = pathlib.Path("build/release/bin/kodo-bench")
+BENCH = pathlib.Path("build/bench/bin/kodo-bench")
 
 
 class Options(options.Options):
