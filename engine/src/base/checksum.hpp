@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 
 namespace kodo {
@@ -19,10 +22,13 @@ inline std::uint64_t checksumOf(std::span<const std::byte> bytes) {
     std::size_t next = 0;
     for (; bytes.size() - next >= 8 * lanes.size(); next += 8 * lanes.size()) {
         for (std::size_t lane = 0; lane < lanes.size(); ++lane) {
-            std::uint64_t word = 0;
-            for (std::size_t i = 0; i < 8; ++i) {
-                word |= std::to_integer<std::uint64_t>(bytes[next + 8 * lane + i]) << 8 * i;
+            std::array<std::byte, 8> low; // the low byte first
+            std::memcpy(&low, &bytes[next + 8 * lane], sizeof low);
+            if constexpr (std::endian::native == std::endian::big) {
+                std::reverse(low.begin(), low.end());
             }
+            std::uint64_t word = 0;
+            std::memcpy(&word, &low, sizeof word);
             lanes[lane] = mixed(lanes[lane], word);
         }
     }
