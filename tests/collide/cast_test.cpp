@@ -142,10 +142,10 @@ TEST(ShapeCast, HitsAtZeroIfItStartsInOverlap) {
 
 // A one-sided line stops only shapes that come from its front.
 TEST(ShapeCast, PassesAOneSidedLineFromBehind) {
-    const ConvexShape platform = convexShapeOf(Segment{{-2, 0}, {2, 0}, true, {}, {}}, {});
+    const ConvexShape platform = convexShapeOf(Segment{{-2, 0}, {2, 0}, true}, {});
     const ConvexShape shapes[] = {convexShapeOf(Circle{1}, {}), convexShapeOf(Box{2, 2}, {}),
                                   convexShapeOf(Point{{0, 0}}, {}),
-                                  convexShapeOf(Segment{{-1, 0}, {1, 0}, false, {}, {}}, {})};
+                                  convexShapeOf(Segment{{-1, 0}, {1, 0}}, {})};
     for (const ConvexShape& shape : shapes) {
         EXPECT_TRUE(shapeCast(shape, {{0, 3}, {}}, {0, -6}, platform, {}));
         EXPECT_FALSE(shapeCast(shape, {{0, -3}, {}}, {0, 6}, platform, {}));
@@ -157,10 +157,10 @@ TEST(ShapeCast, PassesAOneSidedLineFromBehind) {
 // A moving platform follows the same rule: it hits shapes with its front. It passes shapes that it
 // meets with its back or overlaps.
 TEST(ShapeCast, OfAOneSidedLineHitsOnlyWithItsFront) {
-    const ConvexShape platform = convexShapeOf(Segment{{-2, 0}, {2, 0}, true, {}, {}}, {});
+    const ConvexShape platform = convexShapeOf(Segment{{-2, 0}, {2, 0}, true}, {});
     const ConvexShape targets[] = {convexShapeOf(Circle{1}, {}), convexShapeOf(Box{2, 2}, {}),
                                    convexShapeOf(Point{{0, 0}}, {}),
-                                   convexShapeOf(Segment{{-1, 0}, {1, 0}, false, {}, {}}, {})};
+                                   convexShapeOf(Segment{{-1, 0}, {1, 0}}, {})};
     for (const ConvexShape& target : targets) {
         EXPECT_TRUE(shapeCast(platform, {{0, -3}, {}}, {0, 6}, target, {}));
         EXPECT_FALSE(shapeCast(platform, {{0, 3}, {}}, {0, -6}, target, {}));

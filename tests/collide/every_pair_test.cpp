@@ -183,7 +183,7 @@ TEST(TwoPlanes, NeverTouch) {
 
 // Only end points separate two collinear lines.
 TEST(TwoSegments, InARowTouchEndToEnd) {
-    const ConvexShape line = convexShapeOf(Segment{{-1, 0}, {1, 0}, false, {}, {}}, {});
+    const ConvexShape line = convexShapeOf(Segment{{-1, 0}, {1, 0}}, {});
     const Transform far{{Real(2.125), 0}, {}};
     EXPECT_EQ(collide(line, {}, line, far, Real(0.0625), 0).count, 0);
     EXPECT_EQ(separation(line, {}, line, far).distance, Real(0.125));
@@ -196,7 +196,7 @@ TEST(TwoSegments, InARowTouchEndToEnd) {
 
 // A segment has two sides: a ball is separated towards the side of its centre.
 TEST(Segment, NormalPointsToTheSideOfTheCentre) {
-    const ConvexShape line = convexShapeOf(Segment{{-1, 0}, {1, 0}, false, {}, {}}, {});
+    const ConvexShape line = convexShapeOf(Segment{{-1, 0}, {1, 0}}, {});
     const ConvexShape ball = convexShapeOf(Circle{1}, {});
     for (const Real side : {Real(1), Real(-1)}) {
         const Manifold manifold = collide(line, {}, ball, {{0, side / 4}, {}}, 0, 0);

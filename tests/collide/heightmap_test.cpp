@@ -4,6 +4,7 @@
 #include <support/minkowski_oracle.hpp>
 #include <support/near.hpp>
 
+#include "bodies/line_links.hpp"
 #include "collide/time_of_impact.hpp"
 
 #include <algorithm>
@@ -23,9 +24,14 @@ constexpr Real kTolerance = byPrecision(1e-5, 2e-14);
 constexpr Real kFlush = Real(1e-3);
 
 std::vector<ConvexShape> cellsOf(const Heightmap& map, Vec2 origin = {}) {
-    std::vector<ConvexShape> cells;
+    std::vector<Part> parts;
     for (const Primitive& cell : primitivesOf(Shape(map))) {
-        cells.push_back(convexShapeOf(cell, origin));
+        parts.push_back({.primitive = cell, .convex = convexShapeOf(cell, origin)});
+    }
+    linkLines(parts);
+    std::vector<ConvexShape> cells;
+    for (const Part& part : parts) {
+        cells.push_back(part.convex);
     }
     return cells;
 }
@@ -186,10 +192,10 @@ TEST(HeightmapContact, HasOnlyNormalsOfTheGround) {
 // F2: on flat ground every normal points straight up, wherever the box is over the vertices.
 TEST(HeightmapContact, OverAFlushVertexPointsStraightUp) {
     const std::vector<ConvexShape> cells = cellsOf(flat(12));
-    const ConvexShape shapes[] = {
-        convexShapeOf(Box{1, 1}, {}), convexShapeOf(Circle{Real(0.5)}, {}),
-        convexShapeOf(Box{Real(2.5), 1}, {}),
-        convexShapeOf(Segment{{0, Real(-0.5)}, {0, Real(0.5)}, false, {}, {}}, {})};
+    const ConvexShape shapes[] = {convexShapeOf(Box{1, 1}, {}),
+                                  convexShapeOf(Circle{Real(0.5)}, {}),
+                                  convexShapeOf(Box{Real(2.5), 1}, {}),
+                                  convexShapeOf(Segment{{0, Real(-0.5)}, {0, Real(0.5)}}, {})};
     for (const ConvexShape& shape : shapes) {
         for (int i = 0; i <= 4096; ++i) {
             // 4 to 6 m: over two vertices, and exactly over them; alternately overlapping, touching

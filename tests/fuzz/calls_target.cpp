@@ -69,7 +69,7 @@ private:
         case 2:
             return Polygon{{{-size, -size}, {size, -size}, {0, size}}};
         case 3:
-            return Segment{{-size, 0}, {size, 0}, false, {}, {}};
+            return Segment{{-size, 0}, {size, 0}};
         case 4:
             return Point{};
         default:

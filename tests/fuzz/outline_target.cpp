@@ -61,19 +61,9 @@ void tryHull(const std::vector<Vec2>& given) {
     addIfGood({.shape = *polygon});
 }
 
-Compound chainOf(const std::vector<Vec2>& given) {
-    Compound chain;
-    for (std::size_t i = 0; i + 1 < given.size(); ++i) {
-        Segment cell{given[i], given[i + 1], true, {}, {}};
-        if (i > 0) {
-            cell.before = given[i - 1];
-        }
-        if (i + 2 < given.size()) {
-            cell.after = given[i + 2];
-        }
-        chain.parts.push_back(cell);
-    }
-    return chain;
+Chain chainOf(fuzz::Feed& feed) {
+    const unsigned kind = static_cast<unsigned>(feed.below(4));
+    return {.points = points(feed), .closed = (kind & 1) != 0, .oneSided = (kind & 2) != 0};
 }
 
 Heightmap heightmapOf(fuzz::Feed& feed) {
@@ -100,7 +90,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         addIfGood({.shape = heightmapOf(feed), .type = BodyType::Static});
         break;
     default:
-        addIfGood({.shape = chainOf(points(feed)), .type = BodyType::Static});
+        addIfGood({.shape = chainOf(feed), .type = BodyType::Static});
         break;
     }
     return 0;

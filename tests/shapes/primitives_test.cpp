@@ -35,7 +35,7 @@ TEST(Primitives, HaveTextbookAreas) {
     EXPECT_EQ(areaOf(squareFromOrigin()), 4);
     EXPECT_EQ(areaOf(BasicPolygon<Wide>{{{0, 0}, {3, 0}, {0, 4}}}), 6);
     EXPECT_EQ(areaOf(BasicPoint<Wide>{}), 0);
-    EXPECT_EQ(areaOf(BasicSegment<Wide>{{0, 0}, {3, 4}, false, {}, {}}), 0);
+    EXPECT_EQ(areaOf(BasicSegment<Wide>{{0, 0}, {3, 4}}), 0);
 }
 
 TEST(Primitives, HaveTextbookCentroids) {
@@ -46,7 +46,7 @@ TEST(Primitives, HaveTextbookCentroids) {
     EXPECT_TRUE(near(centroidOf(BasicPolygon<Wide>{{{0, 0}, {3, 0}, {0, 3}}}), WideVec{1, 1},
                      kDozenRoundings));
     EXPECT_EQ(centroidOf(BasicPoint<Wide>{{3, 4}}), (WideVec{3, 4}));
-    EXPECT_EQ(centroidOf(BasicSegment<Wide>{{0, 0}, {3, 4}, false, {}, {}}), (WideVec{1.5L, 2}));
+    EXPECT_EQ(centroidOf(BasicSegment<Wide>{{0, 0}, {3, 4}}), (WideVec{1.5L, 2}));
 }
 
 // pi r^4 / 2, b h (b^2 + h^2) / 12, and for a triangle with legs a: a^4 / 18.
@@ -64,8 +64,7 @@ TEST(Primitives, HaveTightBounds) {
     EXPECT_EQ(boundsOf(BasicPoint<Wide>{{3, 4}}), (BasicAabb<Wide>{{3, 4}, {3, 4}}));
     EXPECT_EQ(boundsOf(BasicCircle<Wide>{2, {3, 4}}), (BasicAabb<Wide>{{1, 2}, {5, 6}}));
     EXPECT_EQ(boundsOf(squareFromOrigin()), (BasicAabb<Wide>{{0, 0}, {2, 2}}));
-    EXPECT_EQ(boundsOf(BasicSegment<Wide>{{3, 0}, {0, 4}, false, {}, {}}),
-              (BasicAabb<Wide>{{0, 0}, {3, 4}}));
+    EXPECT_EQ(boundsOf(BasicSegment<Wide>{{3, 0}, {0, 4}}), (BasicAabb<Wide>{{0, 0}, {3, 4}}));
     const BasicAabb<Wide> turned = boundsOf(diamond());
     const Wide reach = std::numbers::sqrt2_v<Wide>;
     EXPECT_TRUE(near(turned.lower, WideVec{1 - reach, 1 - reach}, kDozenRoundings));
@@ -82,7 +81,7 @@ TEST(Primitives, ContainTheirBoundaryAndNothingOutside) {
     EXPECT_FALSE(contains(diamond(), WideVec{2.01L, 2.01L}));
     EXPECT_TRUE(contains(BasicPlane<Wide>{{0, 1}, 2}, WideVec{1e6L, 2}));
     EXPECT_FALSE(contains(BasicPlane<Wide>{{0, 1}, 2}, WideVec{0, 2 + tiny}));
-    const BasicSegment<Wide> segment{{0, 0}, {4, 2}, false, {}, {}};
+    const BasicSegment<Wide> segment{{0, 0}, {4, 2}};
     EXPECT_TRUE(contains(segment, WideVec{2, 1}));
     EXPECT_FALSE(contains(segment, WideVec{2, 1 + tiny}));
     EXPECT_FALSE(contains(segment, WideVec{6, 3})) << "in line, but beyond the end";
@@ -99,8 +98,7 @@ TEST(Primitives, SupportIsTheFarthestPointAlongADirection) {
     EXPECT_EQ(supportOf(BasicAabb<Wide>{{1, 2}, {4, 6}}, WideVec{-1, 2}), (WideVec{1, 6}));
     EXPECT_TRUE(near(supportOf(diamond(), WideVec{0, 1}),
                      WideVec{1, 1 + std::numbers::sqrt2_v<Wide>}, kDozenRoundings));
-    EXPECT_EQ(supportOf(BasicSegment<Wide>{{0, 0}, {3, 4}, false, {}, {}}, WideVec{-1, 0}),
-              WideVec{});
+    EXPECT_EQ(supportOf(BasicSegment<Wide>{{0, 0}, {3, 4}}, WideVec{-1, 0}), WideVec{});
 }
 
 // P1: no contained point lies beyond the support, and the bounds contain it.

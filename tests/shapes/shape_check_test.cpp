@@ -59,7 +59,7 @@ const BadShape kBadShapes[] = {
     {"CircleTooFarOff", Circle{1, {0, -kTooLarge}}, "center", "to 1e"},
     {"CornerTooFarOff", Polygon{{{0, 0}, {kTooLarge, 0}, {0, 1}}}, "corners[1]", "to 1e"},
     {"PointTooFarOff", Point{{kTooLarge, 0}}, "position", "to 1e"},
-    {"EndTooFarOff", Segment{{0, 0}, {kTooLarge, 0}, false, {}, {}}, "to", "to 1e"},
+    {"EndTooFarOff", Segment{{0, 0}, {kTooLarge, 0}}, "to", "to 1e"},
     {"PlaneTooFarOff", Plane{{0, 1}, kTooLarge}, "offset", "to 1e"},
     {"HeightTooFarOff", Heightmap{{}, 1, {0, kTooLarge}}, "heights[1]", "to 1e"},
     {"BoxRotationNotUnit", Box{1, 1, {}, {1, 1}}, "rotation", "{cosine, sine}"},

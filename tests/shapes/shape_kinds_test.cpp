@@ -19,7 +19,7 @@ std::string fieldOf(const Shape& shape) {
 }
 
 Segment segment(Vec2 from, Vec2 to) {
-    return {from, to, false, {}, {}};
+    return {from, to};
 }
 
 // P1: a refusal names the invalid field.
@@ -28,9 +28,6 @@ TEST(ShapeKinds, RefusalsNameTheField) {
     EXPECT_EQ(fieldOf(segment({kInfinity, 0}, {1, 0})), "from");
     EXPECT_EQ(fieldOf(segment({1, 0}, {1, 0})), "to");
     EXPECT_EQ(fieldOf(segment({1, 0}, {1, kInfinity})), "to");
-    EXPECT_EQ(fieldOf(Segment{{0, 0}, {1, 0}, true, Vec2{0, 0}, {}}), "before");
-    EXPECT_EQ(fieldOf(Segment{{0, 0}, {1, 0}, true, {}, Vec2{1, 0}}), "after");
-    EXPECT_EQ(fieldOf(Segment{{0, 0}, {1, 0}, false, {}, Vec2{2, 0}}), "after");
     EXPECT_EQ(fieldOf(Plane{{0, 2}, 0}), "normal");
     EXPECT_EQ(fieldOf(Plane{{0, 1}, kInfinity}), "offset");
     EXPECT_EQ(fieldOf(Heightmap{{kInfinity, 0}, 1, {0, 1}}), "origin");
@@ -67,16 +64,12 @@ TEST(ShapeKinds, PointsAndSegmentsHaveTextbookMass) {
     EXPECT_EQ(both.center, (Vec2{0, 3})) << "the mean of both, not NaN";
 }
 
-// F2: cells from left to right, each with the corners of its neighbours.
+// F2: cells from left to right.
 TEST(ShapeKinds, AHeightmapIsARowOfOneSidedSegments) {
     const std::vector<Primitive> cells = primitivesOf(Shape(Heightmap{{1, 10}, 2, {0, 1, 3}}));
     ASSERT_EQ(cells.size(), 2u);
-    EXPECT_EQ(std::get<Segment>(cells[0]), (Segment{{1, 10}, {3, 11}, true, {}, Vec2{5, 13}}));
-    EXPECT_EQ(std::get<Segment>(cells[1]), (Segment{{3, 11}, {5, 13}, true, Vec2{1, 10}, {}}));
-    const ConvexShape first = convexShapeOf(cells[0], {});
-    const ConvexShape second = convexShapeOf(cells[1], {});
-    EXPECT_EQ(first.after, -perp(second.normals[1])) << "to the bit";
-    EXPECT_EQ(second.before, -perp(first.normals[1]));
+    EXPECT_EQ(std::get<Segment>(cells[0]), (Segment{{1, 10}, {3, 11}, true}));
+    EXPECT_EQ(std::get<Segment>(cells[1]), (Segment{{3, 11}, {5, 13}, true}));
 }
 
 TEST(ShapeKinds, OnlyPlanesAndHeightmapsNeedALock) {
@@ -120,8 +113,6 @@ TEST(ShapeKinds, AMovedShapeAgreesWithAPlacedShape) {
             const ConvexShape movedOne = convexShapeOf(moved(primitive, t), {});
             ASSERT_EQ(placed.vertices.size(), movedOne.vertices.size());
             ASSERT_EQ(placed.oneSided, movedOne.oneSided);
-            ASSERT_TRUE(near(t.rotation * placed.before, movedOne.before, tolerance));
-            ASSERT_TRUE(near(t.rotation * placed.after, movedOne.after, tolerance));
             for (std::size_t k = 0; k < placed.normals.size(); ++k) {
                 ASSERT_TRUE(
                     near(t.rotation * placed.normals[k], movedOne.normals[k], 16 * tolerance));

@@ -31,7 +31,8 @@ std::vector<Ground> grounds() {
             {"one-sided segment", Segment{{-40, 0}, {40, 0}, true}},
             {"heightmap", Heightmap{{-40, 0}, 2, heights}, 1},
             {"chain of one-sided segments",
-             Segment{{-40, Real(-0.2)}, {40, 0}, true, Vec2{-50, 0}, Vec2{50, Real(-0.1)}}}};
+             Chain{.points = {{-50, 0}, {-40, Real(-0.2)}, {40, 0}, {50, Real(-0.1)}},
+                   .oneSided = true}}};
 }
 
 /// A thin shape that falls at random.

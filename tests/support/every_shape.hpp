@@ -10,38 +10,28 @@ namespace support {
 
 /// Every primitive that collides with another. A platform is a one-sided segment; a cell is a
 /// one-sided segment with neighbours, as in a heightmap.
-enum class AnyKind { Point, Circle, Box, Polygon, Segment, Plane, Platform, Cell };
+enum class AnyKind { Point, Circle, Box, Polygon, Segment, Plane, Platform };
 
 /// Primitives with a mutual signed distance: all but the one-sided ones.
 inline constexpr AnyKind kTwoSidedKinds[] = {AnyKind::Point,   AnyKind::Circle,  AnyKind::Box,
                                              AnyKind::Polygon, AnyKind::Segment, AnyKind::Plane};
-inline constexpr AnyKind kEveryKind[] = {AnyKind::Point,    AnyKind::Circle,  AnyKind::Box,
-                                         AnyKind::Polygon,  AnyKind::Segment, AnyKind::Plane,
-                                         AnyKind::Platform, AnyKind::Cell};
+inline constexpr AnyKind kEveryKind[] = {AnyKind::Point,   AnyKind::Circle,  AnyKind::Box,
+                                         AnyKind::Polygon, AnyKind::Segment, AnyKind::Plane,
+                                         AnyKind::Platform};
 
 inline const char* nameOf(AnyKind kind) {
-    constexpr const char* kNames[] = {"point",   "circle", "box",      "polygon",
-                                      "segment", "plane",  "platform", "cell"};
+    constexpr const char* kNames[] = {"point",   "circle", "box",     "polygon",
+                                      "segment", "plane",  "platform"};
     return kNames[static_cast<std::size_t>(kind)];
 }
 
 inline kodo::Segment randomSegment(RandomNumbers& random) {
     const kodo::Vec2 from = random.point(1.5);
-    kodo::Segment segment{from, {}, false, {}, {}};
+    kodo::Segment segment{from, {}};
     do {
         segment.to = random.point(1.5);
     } while (lengthSquared(segment.to - from) < kodo::Real(0.04));
     return segment;
-}
-
-/// A one-sided segment with neighbours at both ends, up to 60 degrees up or down.
-inline kodo::Segment randomCell(RandomNumbers& random) {
-    kodo::Segment cell = randomSegment(random);
-    cell.oneSided = true;
-    const kodo::Vec2 way = cell.to - cell.from;
-    cell.before = cell.from - kodo::Rot::fromAngle(random.between(-1, 1)) * way;
-    cell.after = cell.to + kodo::Rot::fromAngle(random.between(-1, 1)) * way;
-    return cell;
 }
 
 /// A primitive of about 1 m at or near its own origin. Polygons have 3 to 20 corners.
@@ -64,8 +54,6 @@ inline kodo::Primitive randomPrimitive(RandomNumbers& random, AnyKind kind) {
         segment.oneSided = true;
         return segment;
     }
-    case AnyKind::Cell:
-        return randomCell(random);
     default:
         return randomPolygon(random, 3 + random.below(18));
     }
@@ -84,11 +72,6 @@ template <typename Map>
 kodo::Segment mapped(kodo::Segment segment, Map map) {
     segment.from = map(segment.from);
     segment.to = map(segment.to);
-    for (auto* neighbour : {&segment.before, &segment.after}) {
-        if (*neighbour) {
-            *neighbour = map(**neighbour);
-        }
-    }
     return segment;
 }
 
@@ -110,7 +93,6 @@ inline kodo::Primitive mirrored(const kodo::Primitive& primitive) {
     if (const auto* segment = std::get_if<kodo::Segment>(&primitive)) {
         kodo::Segment result = mapped(*segment, flip);
         std::swap(result.from, result.to);
-        std::swap(result.before, result.after);
         return result;
     }
     kodo::Polygon polygon = std::get<kodo::Polygon>(primitive);

@@ -225,7 +225,7 @@ TEST(Ground, APlaneCarriesEveryShape) {
     world.add({.shape = Plane{{0, 1}, 0}, .type = BodyType::Static});
     const Shape shapes[] = {Shape(Circle{Real(0.5)}), Shape(Box{1, 1}),
                             Shape(Polygon{{{-1, Real(-0.5)}, {1, Real(-0.5)}, {0, Real(0.5)}}}),
-                            Shape(Segment{{-1, Real(-0.5)}, {1, Real(-0.5)}, false, {}, {}}),
+                            Shape(Segment{{-1, Real(-0.5)}, {1, Real(-0.5)}}),
                             Shape(Point{{0, Real(-0.5)}})};
     std::vector<BodyId> bodies;
     Real x = 0;
@@ -245,9 +245,8 @@ TEST(Ground, APlaneCarriesEveryShape) {
 // Points and segments overlap one-sided ground by at most the slop. They do not fall through,
 // although they are then behind it.
 TEST(Ground, OneSidedGroundCarriesPointsAndSegments) {
-    const Shape grounds[] = {Shape(flatMap(10)), Shape(Segment{{-5, 0}, {5, 0}, true, {}, {}})};
-    const Shape thin[] = {Shape(Point{}),
-                          Shape(Segment{{Real(-0.2), 0}, {Real(0.2), 0}, false, {}, {}})};
+    const Shape grounds[] = {Shape(flatMap(10)), Shape(Segment{{-5, 0}, {5, 0}, true})};
+    const Shape thin[] = {Shape(Point{}), Shape(Segment{{Real(-0.2), 0}, {Real(0.2), 0}})};
     for (const Shape& ground : grounds) {
         for (const Shape& shape : thin) {
             World world({.gravity = kEarth});

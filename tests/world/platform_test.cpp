@@ -19,7 +19,7 @@ using support::run;
 /// A segment of 6 m that is solid from above only.
 BodyDef oneSidedDef(Vec2 position) {
     BodyDef def;
-    def.shape = Segment{{-3, 0}, {3, 0}, true, {}, {}};
+    def.shape = Segment{{-3, 0}, {3, 0}, true};
     def.position = position;
     def.type = BodyType::Kinematic;
     return def;

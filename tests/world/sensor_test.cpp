@@ -89,7 +89,7 @@ TEST(Sensor, ReportsAFastBodyThroughAThinSensorOnce) {
             World world;
             BodyDef zone = sensorDef({Real(30.3), 0}, Real(0.01), 10);
             if (line) {
-                zone.shape = Segment{{0, -5}, {0, 5}, false, {}, {}};
+                zone.shape = Segment{{0, -5}, {0, 5}};
             }
             const BodyId sensor = world.add(zone);
             BodyDef def = ballDef({0, 0}, Real(0.1));

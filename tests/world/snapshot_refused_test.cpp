@@ -45,7 +45,7 @@ World smallWorld() {
     world.add(support::boxDef({5, Real(0.5)}, 1, 1));
     run(world, 40); // the separate box is asleep by now
     world.remove(world.add({.shape = Compound{{Circle{1}, Point{}}}, .position = {0, 50}}));
-    world.add({.shape = Segment{{-1, 0}, {1, 0}, true, {}, {}}, .position = {0, 9}});
+    world.add({.shape = Segment{{-1, 0}, {1, 0}, true}, .position = {0, 9}});
     world[a].applyImpulse({0, 1});
     world.add(support::boxDef({-40, Real(0.5)}, 1, 1));
     run(world, 2);

@@ -71,8 +71,7 @@ inline void addGround(kodo::World& world) {
                .position = {2, 2},
                .type = kodo::BodyType::Static,
                .flags = kodo::kSensor});
-    world.add(
-        {.shape = kodo::Segment{{-1, 3}, {1, 3}, true, {}, {}}, .type = kodo::BodyType::Static});
+    world.add({.shape = kodo::Segment{{-1, 3}, {1, 3}, true}, .type = kodo::BodyType::Static});
     world.add({.shape = kodo::Circle{1}, .position = {0, 500}, .userData = 0x123456789abcdef0});
 }
 

@@ -50,7 +50,7 @@ BodyDef randomDef(support::RandomNumbers& random) {
         def.shape = Point{random.point(0.5)};
         break;
     case 4:
-        def.shape = Segment{random.point(0.5), {size, 1}, false, {}, {}};
+        def.shape = Segment{random.point(0.5), {size, 1}};
         break;
     default:
         def.shape = Compound{{Circle{size}, Box{1, size, {1, 0}}}};

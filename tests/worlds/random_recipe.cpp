@@ -118,7 +118,7 @@ private:
             }
             return;
         case Ground::Segment:
-            addStatic(Segment{{-40, 0}, {40, 0}, false, {}, {}}, {});
+            addStatic(Segment{{-40, 0}, {40, 0}}, {});
             return;
         }
     }
@@ -146,16 +146,9 @@ private:
         const auto at = [&](std::size_t i) {
             return Vec2{static_cast<Real>(i) * spacing - 40, up[i]};
         };
-        Compound chain;
-        for (std::size_t i = 0; i + 1 < count; ++i) {
-            Segment cell{at(i), at(i + 1), true, {}, {}};
-            if (i > 0) {
-                cell.before = at(i - 1);
-            }
-            if (i + 2 < count) {
-                cell.after = at(i + 2);
-            }
-            chain.parts.push_back(cell);
+        Chain chain{.oneSided = true};
+        for (std::size_t i = 0; i < count; ++i) {
+            chain.points.push_back(at(i));
         }
         addStatic(chain, {});
     }
@@ -239,7 +232,7 @@ private:
             BodyDef def;
             const Real size = random_.between(0.4, 1.5);
             const Shape shapes[] = {Box{2 * size, Real(0.2)}, Box{size, size}, Circle{size / 2},
-                                    Segment{{-size, 0}, {size, 0}, false, {}, {}}};
+                                    Segment{{-size, 0}, {size, 0}}};
             def.shape = shapes[random_.below(std::size(shapes))];
             def.position = {random_.between(-5, 5), random_.between(9, 12)};
             def.rotation = random_.rotation();
@@ -259,7 +252,7 @@ private:
         if (!oneIn(4)) {
             return;
         }
-        const Segment ledge{{Real(-1.5), 0}, {Real(1.5), 0}, oneIn(2), {}, {}};
+        const Segment ledge{{Real(-1.5), 0}, {Real(1.5), 0}, oneIn(2)};
         const Shape shapes[] = {ledge, Box{2, Real(0.1)}, Circle{Real(0.4)}};
         const Real x = random_.between(-6, 6);
         addStatic(shapes[random_.below(std::size(shapes))], {x, Real(-1.6)});

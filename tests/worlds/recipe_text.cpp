@@ -124,8 +124,6 @@ void visit(Stream& s, Segment& segment) {
     visit(s, segment.from);
     visit(s, segment.to);
     s.one(segment.oneSided);
-    visitOptional(s, segment.before, [&](Vec2& v) { visit(s, v); });
-    visitOptional(s, segment.after, [&](Vec2& v) { visit(s, v); });
 }
 template <typename Stream>
 void visit(Stream& s, Plane& plane) {
@@ -139,6 +137,27 @@ void visit(Stream& s, Heightmap& map) {
     visitLength(s, map.heights);
     for (Real& height : map.heights) {
         s.one(height);
+    }
+}
+
+template <typename Stream>
+void visit(Stream& s, Material& material) {
+    s.one(material.staticFriction);
+    s.one(material.kineticFriction);
+    s.one(material.restitution);
+    s.one(material.rollingResistance);
+}
+template <typename Stream>
+void visit(Stream& s, Chain& chain) {
+    visitLength(s, chain.points);
+    for (Vec2& point : chain.points) {
+        visit(s, point);
+    }
+    s.one(chain.closed);
+    s.one(chain.oneSided);
+    visitLength(s, chain.materials);
+    for (Material& material : chain.materials) {
+        visit(s, material);
     }
 }
 
@@ -186,10 +205,7 @@ void visit(Stream& s, BodyDef& def) {
     visit(s, def.velocity);
     s.one(def.angularVelocity);
     s.one(def.density);
-    s.one(def.material.staticFriction);
-    s.one(def.material.kineticFriction);
-    s.one(def.material.restitution);
-    s.one(def.material.rollingResistance);
+    visit(s, def.material);
     visitVariant(s, def.shape);
     s.line();
 }

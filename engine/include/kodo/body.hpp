@@ -108,27 +108,6 @@ constexpr bool shouldCollide(CollisionFilter a, CollisionFilter b) {
     return ((a.flags | b.flags) & kDisabled) == 0 && accepts(a, b.flags) && accepts(b, a.flags);
 }
 
-/// Surface of a body or of one of its parts. No units.
-struct Material {
-    Real staticFriction = Real(0.6);  // >= kineticFriction; limit while nothing slides
-    Real kineticFriction = Real(0.6); // >= 0; while sliding
-    Real restitution = 0;             // 0 to 1; 1 keeps all of the approach speed
-    Real rollingResistance = 0; // >= 0; lever arm of the braking torque, as share of the radius
-
-    friend bool operator==(const Material&, const Material&) = default;
-};
-
-/// A material with equal static and kinetic friction.
-constexpr Material withFriction(Real friction, Real restitution = 0) {
-    return {friction, friction, restitution, 0};
-}
-
-KODO_API std::optional<Problem> check(const Material& material);
-
-/// Material of a contact. Friction: geometric mean, so ice makes everything slippery. Restitution:
-/// the smaller one [Thesis06, 4.3.3]. Rolling resistance: the larger one.
-KODO_API Material mix(const Material& a, const Material& b);
-
 /// With less, the rim of a body would give way to its contacts. That of a disc is 1/2.
 inline constexpr Real kMinInertiaShare = Real(1) / 256;
 
@@ -149,7 +128,7 @@ struct BodyDef {
     Rot rotation{};                // of the shape's frame
     Vec2 velocity{};               // m/s, of the centre of mass
     Real angularVelocity = 0;      // rad/s, counter-clockwise
-    Material material{};           // of all parts
+    Material material{};           // of all parts; of a Chain, unless it has its own
     Real density = 1;              // kg/m^2; the mass follows from it and the shape
     std::optional<MassDef> mass{}; // instead of that mass
     BodyType type = BodyType::Dynamic;

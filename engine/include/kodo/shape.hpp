@@ -2,6 +2,7 @@
 #pragma once
 
 #include <kodo/error.hpp>
+#include <kodo/material.hpp>
 #include <kodo/math.hpp>
 
 #include <array>
@@ -63,15 +64,17 @@ struct BasicPoint {
 /// its mass per length (kg/m).
 ///
 /// A one-sided segment collides only with bodies that come from its front: the left side as seen
-/// from `from` towards `to`. Bodies from behind and from beyond an end pass. `before` and `after`
-/// name the outer ends of the adjacent segments, which prevents ghost collisions at the joins.
+/// from `from` towards `to`. Bodies from behind and from beyond an end pass.
+///
+/// Segments of one body that share an end point, to the bit, are linked: bodies move from one to
+/// the next as over one surface. Of one-sided segments, one ends where the next begins; where
+/// several begin, the one that bends most to the front is next. Two-sided segments are linked where
+/// two of them meet, but not where three or more do.
 template <std::floating_point T>
 struct BasicSegment {
     BasicVec2<T> from{}; // m
     BasicVec2<T> to{};   // m
     bool oneSided = false;
-    std::optional<BasicVec2<T>> before{}; // m; start of the segment before; one-sided only
-    std::optional<BasicVec2<T>> after{};  // m; end of the segment after; one-sided only
     friend bool operator==(const BasicSegment&, const BasicSegment&) = default;
 };
 
@@ -96,6 +99,20 @@ struct BasicHeightmap {
 /// Largest number of heights of a heightmap.
 inline constexpr std::size_t kMaxHeights = 65536;
 
+/// Ground: linked segments from each point to the next. Each segment is a part of the body. The
+/// number given as density is the mass per length (kg/m).
+template <std::floating_point T>
+struct BasicChain {
+    std::vector<BasicVec2<T>> points{}; // m, 2 to kMaxParts + 1; closed: 3 to kMaxParts
+    bool closed = false;                // the last point is joined to the first one
+    /// Of an open chain, the front is the left side as seen along the points. Of a closed one it is
+    /// the outside, in whichever direction the points go; its edges must not cross or touch.
+    bool oneSided = false;
+    /// Of each segment; empty: that of the body. Segment i begins at point i.
+    std::vector<Material> materials{};
+    friend bool operator==(const BasicChain&, const BasicChain&) = default;
+};
+
 using Circle = BasicCircle<Real>;
 using Box = BasicBox<Real>;
 using Polygon = BasicPolygon<Real>;
@@ -103,6 +120,7 @@ using Point = BasicPoint<Real>;
 using Segment = BasicSegment<Real>;
 using Plane = BasicPlane<Real>;
 using Heightmap = BasicHeightmap<Real>;
+using Chain = BasicChain<Real>;
 
 /// A convex shape: what one part of a body is.
 using Primitive = std::variant<Circle, Box, Polygon, Point, Segment, Plane>;
@@ -117,7 +135,7 @@ struct Compound {
 inline constexpr std::size_t kMaxParts = 65535;
 
 /// The shape of a body.
-using Shape = std::variant<Circle, Box, Polygon, Compound, Point, Segment, Plane, Heightmap>;
+using Shape = std::variant<Circle, Box, Polygon, Compound, Point, Segment, Plane, Heightmap, Chain>;
 
 /// The reason why World::add() would refuse a shape. Fields read "radius", "corners[3]",
 /// "parts[1].width".
@@ -126,8 +144,9 @@ KODO_API std::optional<Problem> check(const Shape& shape);
 /// The same for the result of moved(), whose corners may be rounded onto a line.
 KODO_API std::optional<Problem> checkMoved(const Primitive& primitive);
 
-/// The primitives of a valid shape: the shape itself, the parts of a compound, or the segments of a
-/// heightmap from left to right.
+/// The primitives of a valid shape: the shape itself, the parts of a compound, the segments of a
+/// heightmap from left to right, or those of a chain in the order of its points. A Compound may
+/// contain these segments, which are linked there too.
 KODO_API std::vector<Primitive> primitivesOf(const Shape& shape);
 
 /// A primitive as the shape of a body.
@@ -219,18 +238,13 @@ struct ConvexShape {
     Real boundingRadius = 0; // m; largest distance of a point from the origin of the frame
     Real coreRadius = 0;     // m; of a disc that fits inside, about `middle`: half the thickness
     Vec2 middle;             // m; centroid
-    Vec2 before;             // unit; direction of the segment that ends at vertex 0; zero: none
-    Vec2 after;              // unit; direction of the segment that starts at vertex 1; zero: none
-    // m; of a one-sided segment in a chain: length of the neighbours beyond each vertex that bend
-    // only towards the blocking side; there no line of the chain is below this one. Two-sided: all.
+    // Of a segment linked with others of its body, see BasicSegment:
+    Vec2 before; // unit; direction of the segment that ends at vertex 0; zero: none
+    Vec2 after;  // unit; direction of the segment that starts at vertex 1; zero: none
+    // m; one-sided: length of the neighbours beyond each vertex that bend only towards the front;
+    // there no line of the chain is below this one. Two-sided: length of the neighbour.
     Real valleyBefore = 0;
     Real valleyAfter = 0;
-    // The same on the side of normals[0] of a two-sided segment: where three segments or more meet,
-    // each side has its own neighbour.
-    Vec2 backBefore;
-    Vec2 backAfter;
-    Real backValleyBefore = 0;
-    Real backValleyAfter = 0;
     ConvexKind kind = ConvexKind::Round;
     bool oneSided = false;
 

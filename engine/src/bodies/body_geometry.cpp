@@ -4,12 +4,12 @@
 #include <kodo/measure.hpp>
 
 #include "base/checks.hpp"
+#include "bodies/line_links.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
-#include <tuple>
 #include <type_traits>
 #include <vector>
 
@@ -150,109 +150,6 @@ std::optional<Problem> checkParts(std::span<const Part> parts, Real lengthUnit) 
     return sum.mass > 0 ? checkMass(sum) : std::nullopt;
 }
 
-namespace {
-
-/// True if one one-sided line ends where the next begins, and the chain bends to the blocking side.
-bool bendsUp(const ConvexShape& line, const ConvexShape& next) {
-    return line.oneSided && next.oneSided && line.vertices[1] == next.vertices[0] &&
-           next.before != Vec2{} && cross(next.before, line.after) > 0;
-}
-
-/// Sets the valleys of one-sided lines. The lines of a chain are parts in order.
-void findValleys(std::span<Part> parts) {
-    const auto lengthOf = [](const ConvexShape& line) {
-        return length(line.vertices[1] - line.vertices[0]);
-    };
-    for (std::size_t i = 1; i < parts.size(); ++i) {
-        const ConvexShape& last = parts[i - 1].convex;
-        ConvexShape& line = parts[i].convex;
-        line.valleyBefore = bendsUp(last, line) ? last.valleyBefore + lengthOf(last) : 0;
-    }
-    for (std::size_t i = parts.size() - 1; i-- > 0;) {
-        ConvexShape& line = parts[i].convex;
-        const ConvexShape& next = parts[i + 1].convex;
-        line.valleyAfter = bendsUp(line, next) ? next.valleyAfter + lengthOf(next) : 0;
-    }
-}
-
-/// One end of a two-sided line.
-struct LineEnd {
-    Vec2 at; // m
-    std::size_t part;
-    std::size_t end;
-};
-
-/// Sets the neighbour at one end of a line, on the side of normals[1] if `front`.
-void join(ConvexShape& line, const LineEnd& own, const ConvexShape& next, const LineEnd& other,
-          bool front) {
-    const Vec2 far = next.vertices[1 - other.end];
-    Vec2& before = front ? line.before : line.backBefore;
-    Vec2& after = front ? line.after : line.backAfter;
-    (own.end == 0 ? before : after) = normalize(own.end == 0 ? own.at - far : far - own.at);
-    Real& lengthBefore = front ? line.valleyBefore : line.backValleyBefore;
-    Real& lengthAfter = front ? line.valleyAfter : line.backValleyAfter;
-    (own.end == 0 ? lengthBefore : lengthAfter) = length(far - own.at);
-}
-
-/// Sets the neighbours of all lines that share a vertex: the next one in each direction of
-/// rotation.
-void joinAll(std::span<Part> parts, std::span<const LineEnd> ends) {
-    const auto away = [&](const LineEnd& e) {
-        return parts[e.part].convex.vertices[1 - e.end] - e.at;
-    };
-    for (const LineEnd& own : ends) {
-        const Vec2 way = normalize(away(own));
-        const LineEnd* left = nullptr; // counter-clockwise
-        const LineEnd* right = nullptr;
-        Real leftTurn = 5;
-        Real rightTurn = -1;
-        for (const LineEnd& other : ends) {
-            const Vec2 next = normalize(away(other));
-            const Real cosine = dot(way, next);
-            const Real turn = cross(way, next) >= 0 ? 1 - cosine : 3 + cosine; // 0 to 4, rises
-            if (other.part != own.part && turn < leftTurn) {
-                leftTurn = turn;
-                left = &other;
-            }
-            if (other.part != own.part && turn > rightTurn) {
-                rightTurn = turn;
-                right = &other;
-            }
-        }
-        if (left != nullptr) {
-            ConvexShape& line = parts[own.part].convex;
-            const LineEnd& front = own.end == 0 ? *left : *right;
-            const LineEnd& back = own.end == 0 ? *right : *left;
-            join(line, own, parts[front.part].convex, front, true);
-            join(line, own, parts[back.part].convex, back, false);
-        }
-    }
-}
-
-/// Sets the neighbours of two-sided lines, at each vertex where two or more of them meet.
-void findJoints(std::span<Part> parts) {
-    std::vector<LineEnd> ends;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        const ConvexShape& line = parts[i].convex;
-        for (std::size_t end = 0; line.isLine() && !line.oneSided && end < 2; ++end) {
-            ends.push_back({line.vertices[end], i, end});
-        }
-    }
-    std::sort(ends.begin(), ends.end(), [](const LineEnd& a, const LineEnd& b) { // total order
-        return std::tie(a.at.x, a.at.y, a.part, a.end) < std::tie(b.at.x, b.at.y, b.part, b.end);
-    });
-    for (std::size_t i = 0; i + 1 < ends.size();) {
-        std::size_t last = i;
-        while (last + 1 < ends.size() && ends[last + 1].at == ends[i].at) {
-            ++last;
-        }
-        joinAll(parts, std::span(ends).subspan(i, last + 1 - i));
-        i = last + 1;
-    }
-}
-
-} // namespace
-
 std::shared_ptr<const BodyGeometry> makeGeometry(PartList list) {
     auto geometry = std::make_shared<BodyGeometry>();
     static_cast<PartList&>(*geometry) = std::move(list);
@@ -266,8 +163,7 @@ std::shared_ptr<const BodyGeometry> makeGeometry(PartList list) {
         geometry->coreRadius = std::min(geometry->coreRadius, part.convex.coreRadius);
         geometry->area += std::visit([](const auto& kind) { return areaOf(kind); }, part.primitive);
     }
-    findValleys(parts);
-    findJoints(parts);
+    linkLines(parts);
     return geometry;
 }
 

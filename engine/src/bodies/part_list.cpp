@@ -73,6 +73,11 @@ std::vector<Part> partsOf(const BodyDef& def) {
     for (Primitive& primitive : primitivesOf(def.shape)) {
         parts.push_back(Part{std::move(primitive), def.material, def.density});
     }
+    if (const auto* chain = std::get_if<Chain>(&def.shape)) {
+        for (std::size_t i = 0; i < chain->materials.size(); ++i) {
+            parts[i].material = chain->materials[i];
+        }
+    }
     return parts;
 }
 

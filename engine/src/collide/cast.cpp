@@ -19,7 +19,7 @@ void keepFirst(Hit& best, const Hit& other) {
 }
 
 Segment segmentOf(const ConvexShape& line) {
-    return {line.vertices[0], line.vertices[1], line.oneSided, {}, {}};
+    return {line.vertices[0], line.vertices[1], line.oneSided};
 }
 
 /// In the shape's frame, without its radius.
@@ -44,8 +44,7 @@ Hit rayAgainstSkin(const ConvexShape& shape, const Ray& ray, Real radius) {
     const std::size_t n = shape.vertices.size();
     for (std::size_t i = 0; i < n; ++i) {
         const Vec2 out = radius * shape.normals[i];
-        const Segment side{
-            shape.vertices[(i + 1) % n] + out, shape.vertices[i] + out, true, {}, {}};
+        const Segment side{shape.vertices[(i + 1) % n] + out, shape.vertices[i] + out, true};
         if (!shape.oneSided || i == 1) {
             keepFirst(best, rayCast(side, ray));
         }

@@ -6,7 +6,7 @@
 namespace kodo {
 inline namespace KODO_PRECISION {
 
-// Sine of the angle up to which a chain vertex counts as flush. Normals there may deviate by that
+// Sine of the turn up to which a chain vertex counts as flush. Normals there may deviate by that
 // angle.
 inline constexpr Real kFlush = Real(1e-3);
 
@@ -15,10 +15,21 @@ inline Vec2 alongOf(const ConvexShape& line) {
     return -perp(line.normals[1]);
 }
 
-/// Sine of the turn at a chain vertex, counter-clockwise positive: < 0: convex (hilltop), > 0:
-/// concave (valley).
+/// Turn from one unit direction to another one, counter-clockwise positive: its sine up to a right
+/// angle; beyond, a number that rises on to 2 for half a turn. Back along the same line counts as
+/// half a turn clockwise, -2: a chain goes on around the end of a line on its other side.
+inline Real turnBetween(Vec2 from, Vec2 to) {
+    const Real sine = cross(from, to);
+    if (dot(from, to) >= 0) {
+        return sine;
+    }
+    return sine > 0 ? 2 - sine : -2 - sine;
+}
+
+/// turnBetween() of the lines that meet at a vertex: < 0: convex (hilltop), > 0: concave (valley).
 inline Real turnAt(const ConvexShape& line, std::size_t end) {
-    return end == 0 ? cross(line.before, alongOf(line)) : cross(alongOf(line), line.after);
+    return end == 0 ? turnBetween(line.before, alongOf(line))
+                    : turnBetween(alongOf(line), line.after);
 }
 
 /// True if no other line of the chain begins at vertex `end`, 0 or 1.

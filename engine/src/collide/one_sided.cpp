@@ -51,7 +51,7 @@ Nearest nearestOf(const ConvexShape& line, Vec2 center, Real reach) {
         }
         // The neighbour tests the same product, so exactly one of the two lines owns the centre.
         const bool pastNeighbour = dot(line.before, fromStart) >= 0;
-        const Vec2 between = perp(line.before) + line.normals[1];
+        const Vec2 between = perp(line.before) + line.normals[1] + (line.before - along);
         const bool bends = turnAt(line, 0) <= kFlush && dot(between, fromStart) > 0;
         return pastNeighbour && bends ? Nearest::Start : Nearest::Other;
     }
@@ -233,10 +233,9 @@ ConvexShape facingTo(const ConvexShape& line, Vec2 direction) {
     if (dot(direction, line.normals[1]) < 0) {
         std::swap(facing.vertices.data()[0], facing.vertices.data()[1]);
         std::swap(facing.normals.data()[0], facing.normals.data()[1]);
-        facing.before = -line.backAfter;
-        facing.after = -line.backBefore;
-        facing.valleyBefore = line.backValleyAfter;
-        facing.valleyAfter = line.backValleyBefore;
+        facing.before = -line.after;
+        facing.after = -line.before;
+        std::swap(facing.valleyBefore, facing.valleyAfter);
     }
     facing.valleyBefore *= turnAt(facing, 0) > 0 ? Real(1) : Real(0);
     facing.valleyAfter *= turnAt(facing, 1) > 0 ? Real(1) : Real(0);

@@ -13,7 +13,7 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
 
-constexpr Real kFlush = Real(0.01);         // rise of flush ground, in slops
+constexpr Real kFlushRise = Real(0.01);     // rise of flush ground, in slops
 constexpr Real kSimilarNormals = Real(0.9); // least cosine between which impulses are kept
 
 /// Contact of a movable body with an immovable one, as seen from the movable one.
@@ -41,8 +41,8 @@ bool shareVertex(const ConvexShape& a, const ConvexShape& b) {
 }
 
 /// True for two lines of a body that store their neighbours: they cause no ghost collisions. Lines
-/// of a fine valley rise by less than the tolerance, but must not be hidden. A third line at a
-/// vertex of the carrying one, on its other side, may be one.
+/// of a fine valley rise by less than the tolerance, but must not be hidden. Lines that meet at a
+/// vertex without being linked there may cause one.
 bool areChain(const Bodies& bodies, const Ground& carrying, const Ground& ground) {
     const ConvexShape& a = bodies.convex(carrying.body, carrying.part);
     const ConvexShape& b = bodies.convex(ground.body, ground.part);
@@ -52,8 +52,7 @@ bool areChain(const Bodies& bodies, const Ground& carrying, const Ground& ground
     if (!isJointed(a) || !isJointed(b)) {
         return (a.oneSided || isJointed(a)) && (b.oneSided || isJointed(b));
     }
-    const Vec2 normal = bodies.pose[carrying.body].rotation * a.normals[1];
-    return !shareVertex(a, b) || areNeighbours(a, dot(carrying.normal, normal), b);
+    return !shareVertex(a, b) || directionBetween(a, b) != 0;
 }
 
 /// True if no point of the shape is more than `tolerance` (m) above the surface through `point`.
@@ -144,7 +143,7 @@ void GhostCollisions::hideBehind(const HidingStep& step, std::uint32_t carrier,
     const auto isUnder = [&](Real tolerance) {
         return liesUnder(convex, pose, carrying.normal, point, tolerance);
     };
-    const bool isFlush = isUnder(kFlush * tolerances.slop);
+    const bool isFlush = isUnder(kFlushRise * tolerances.slop);
     if (!isFlush && !contact.hidden &&
         replaceByRisingFace(step, slot,
                             {carrying.normal, point, tolerances.slop, tolerances.margin})) {

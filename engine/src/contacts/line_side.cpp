@@ -71,7 +71,7 @@ Real sinkOf(const Bodies& bodies, const JointedLine& line, Real margin) {
 
 /// Height (m) of the other shape over the line and its neighbours: that of its middle. If this is
 /// farther along the chain, that of the nearest point on the way from there to the line.
-JointHeights heightOf(const Bodies& bodies, const JointedLine& line, Real margin) {
+Real heightOf(const Bodies& bodies, const JointedLine& line, Real margin) {
     const Transform otherToLine = between(bodies.pose[line.body], bodies.pose[line.otherBody]);
     const ConvexShape& other = bodies.convex(line.otherBody, line.otherPart);
     const ConvexShape& own = bodies.convex(line.body, line.part);
@@ -90,17 +90,8 @@ Real deepestSink(const Manifold& last, Real margin) {
 }
 
 /// True if a shape is farther than `sink` (m) behind that side of a line.
-bool isBehind(const JointHeights& height, Real side, Real sink) {
-    return (side > 0 ? height.front : -height.back) < -sink;
-}
-
-/// -1 if two lines that share a vertex go in opposite directions there, 1 if in the same one; 0 if
-/// they share none.
-Real directionBetween(const ConvexShape& a, const ConvexShape& b) {
-    if (a.vertices[1] == b.vertices[0] || a.vertices[0] == b.vertices[1]) {
-        return 1;
-    }
-    return a.vertices[0] == b.vertices[0] || a.vertices[1] == b.vertices[1] ? Real(-1) : Real(0);
+bool isBehind(Real height, Real side, Real sink) {
+    return side * height < -sink;
 }
 
 /// Replaces the manifold of a near contact, without impulses of the old one.
@@ -129,19 +120,15 @@ JointedSide jointedSideOf(const Bodies& bodies, const Contact& contact, const Jo
                           Real margin) {
     const Real last = storedSide(bodies, contact, line, margin);
     const Real sink = last == 0 ? margin : deepestSink(contact.manifold, margin);
-    const JointHeights height = heightOf(bodies, line, sink);
+    const Real height = heightOf(bodies, line, sink);
     if (last != 0 && !isBehind(height, last, sinkOf(bodies, line, sink))) {
         return {last, sink};
     }
-    const bool between = height.front < 0 && height.back > 0;
-    return {between ? Real(0) : std::copysign(Real(1), height.front), margin};
+    return {std::copysign(Real(1), height), margin};
 }
 
 Manifold collideOnSide(const Bodies& bodies, const ContactKey& key, const JointedLine& line,
                        JointedSide side, const ContactLimits& limits) {
-    if (side.side == 0) {
-        return {};
-    }
     const ConvexShape& shapeA = bodies.convex(key.bodyA, key.partA);
     const ConvexShape& shapeB = bodies.convex(key.bodyB, key.partB);
     const Transform& a = bodies.pose[key.bodyA];
@@ -196,15 +183,8 @@ void LineSides::copySide(const HidingStep& step, const Member& from, const Membe
     const ConvexShape& line = bodies.convex(from.line.body, from.line.part);
     const ConvexShape& next = bodies.convex(to.line.body, to.line.part);
     const Real margin = step.tolerances.margin;
-    const Real carried = storedSide(bodies, carrier, from.line, margin);
-    const Real side = directionBetween(line, next) * carried;
+    const Real side = directionBetween(line, next) * storedSide(bodies, carrier, from.line, margin);
     const Real sink = deepestSink(carrier.manifold, margin);
-    if (side != 0 && !areNeighbours(line, carried, next)) { // on the other side of `from`
-        if (contact.near && contact.manifold.count > 0) {
-            replace(step, to.slot, {});
-        }
-        return;
-    }
     if (side == 0 || storedSide(bodies, contact, to.line, margin) == side ||
         isBehind(heightOf(bodies, to.line, sink), side, sinkOf(bodies, to.line, sink))) {
         return;

@@ -35,7 +35,7 @@ inline std::optional<JointedLine> jointedLineOf(const Bodies& bodies, const Cont
 
 /// Side of a line on which the other shape is.
 struct JointedSide {
-    Real side = 1; // 1 for that of normals[1], else -1; 0: it is between other lines at a vertex
+    Real side = 1; // 1 for that of normals[1], else -1
     Real sink = 0; // m; depth on the other side up to which the middle of the shape may be
 };
 

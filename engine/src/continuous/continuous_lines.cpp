@@ -69,9 +69,6 @@ Real ContinuousCollision::timeThroughLine(const Step& step, const Contact& conta
     }
     if (const auto jointed = jointedLineOf(bodies, contact.key)) {
         const Real side = jointedSideOf(bodies, contact, *jointed, step.tolerances.margin).side;
-        if (side == 0) {
-            return 1;
-        }
         const ConvexShape facing = facingTo(line, side * line.normals[1]);
         return timeBehind(facing, path, other, otherPath, step.tolerances.slop);
     }
@@ -91,9 +88,6 @@ Real ContinuousCollision::timeToJointedLine(const Step& step, const Contact& con
     }
     const ConvexShape& shape = bodies.convex(line->body, line->part);
     const Real side = jointedSideOf(bodies, contact, *line, step.tolerances.margin).side;
-    if (side == 0) {
-        return 1;
-    }
     return timeOfImpact(facingTo(shape, side * shape.normals[1]), pathOf(bodies, line->body),
                         bodies.convex(line->otherBody, line->otherPart),
                         pathOf(bodies, line->otherBody), gap, 0);

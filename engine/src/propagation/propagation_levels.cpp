@@ -13,7 +13,7 @@ inline namespace KODO_PRECISION {
 namespace {
 
 // A contact supports a body only if its normal has a larger share than this along the acceleration.
-constexpr Real kSteep = Real(0.25);
+constexpr Real kSteepPull = Real(0.25);
 
 } // namespace
 
@@ -51,7 +51,7 @@ void Propagation::findLevels(const Bodies& bodies) {
         }
         const Vec2 pull = bodies.acceleration[row.a].linear + bodies.acceleration[row.b].linear;
         const Real along = dot(row.normal, pull);
-        if (std::abs(along) > kSteep * length(pull)) {
+        if (std::abs(along) > kSteepPull * length(pull)) {
             supports_.push_back(along < 0 ? SupportEdge{node_[row.a], node_[row.b]}
                                           : SupportEdge{node_[row.b], node_[row.a]});
         }

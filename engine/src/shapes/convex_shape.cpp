@@ -48,19 +48,11 @@ void build(ConvexShape& convex, const Box& box, Vec2 origin) {
     build(convex, polygonOf(box), origin);
 }
 
-/// A neighbour computes its own direction from the same points by the same operations. Segments on
-/// both sides of a chain vertex therefore agree bit by bit on which of them owns a direction.
 void build(ConvexShape& convex, const Segment& segment, Vec2 origin) {
     convex.kind = ConvexKind::Line;
     convex.oneSided = segment.oneSided;
     setVertices(convex, {segment.from, segment.to}, origin);
     convex.middle = Real(0.5) * (convex.vertices[0] + convex.vertices[1]);
-    if (segment.before) {
-        convex.before = normalize(convex.vertices[0] - (*segment.before - origin));
-    }
-    if (segment.after) {
-        convex.after = normalize((*segment.after - origin) - convex.vertices[1]);
-    }
 }
 
 void build(ConvexShape& convex, const Plane& plane, Vec2 origin) {
@@ -127,7 +119,7 @@ bool contains(const ConvexShape& convex, const Transform& t, Vec2 point) {
         return lengthSquared(p - convex.vertices[0]) <= convex.radius * convex.radius;
     }
     if (convex.isLine()) {
-        return contains(Segment{convex.vertices[0], convex.vertices[1], false, {}, {}}, p);
+        return contains(Segment{convex.vertices[0], convex.vertices[1]}, p);
     }
     for (std::size_t i = 0; i < convex.normals.size(); ++i) {
         if (dot(convex.normals[i], p - convex.vertices[i]) > 0) {

@@ -4,6 +4,7 @@
 
 #include "base/checks.hpp"
 #include "math/vec2_checks.hpp"
+#include "shapes/outline.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -89,13 +90,11 @@ Problem whyNotConvex(const std::vector<Vec2>& corners, std::size_t i, std::size_
         const Vec2 before = corners[(at + n - 1) % n];
         return cross(corners[at] - before, corners[(at + 1) % n] - corners[at]);
     };
-    Real area = 0;
     std::size_t reflex = n;
     for (std::size_t at = n; at-- > 0;) {
-        area += cross(corners[at] - corners[0], corners[(at + 1) % n] - corners[0]);
         reflex = turnAt(at) < 0 ? at : reflex;
     }
-    if (area < 0) {
+    if (areaWithin(corners) < 0) {
         return {"corners", "go clockwise: give them counter-clockwise, or use convexHull()"};
     }
     if (reflex < n) {
@@ -166,23 +165,7 @@ std::optional<Problem> check(const Segment& segment) {
     if (auto problem = checkPoint("from", segment.from)) {
         return problem;
     }
-    if (auto problem = checkEnd("to", segment.to, segment.from, "from")) {
-        return problem;
-    }
-    const auto checkNeighbour = [&](const char* field, const std::optional<Vec2>& point, Vec2 end,
-                                    const char* other) -> std::optional<Problem> {
-        if (!point) {
-            return std::nullopt;
-        }
-        if (!segment.oneSided) {
-            return Problem{field, "is only for one-sided segments: set oneSided"};
-        }
-        return checkEnd(field, *point, end, other);
-    };
-    if (auto problem = checkNeighbour("before", segment.before, segment.from, "from")) {
-        return problem;
-    }
-    return checkNeighbour("after", segment.after, segment.to, "to");
+    return checkEnd("to", segment.to, segment.from, "from");
 }
 
 std::optional<Problem> check(const Plane& plane) {
@@ -222,19 +205,64 @@ std::optional<Problem> check(const Heightmap& map) {
 
 std::vector<Primitive> primitivesOf(const Heightmap& map) {
     std::vector<Primitive> cells;
-    const std::size_t n = map.heights.size();
-    cells.reserve(n - 1);
-    for (std::size_t i = 0; i + 1 < n; ++i) {
-        Segment cell{pointOf(map, i), pointOf(map, i + 1), true, {}, {}};
-        if (i > 0) {
-            cell.before = pointOf(map, i - 1);
-        }
-        if (i + 2 < n) {
-            cell.after = pointOf(map, i + 2);
-        }
-        cells.emplace_back(cell);
+    cells.reserve(map.heights.size() - 1);
+    for (std::size_t i = 0; i + 1 < map.heights.size(); ++i) {
+        cells.emplace_back(Segment{pointOf(map, i), pointOf(map, i + 1), true});
     }
     return cells;
+}
+
+std::size_t segmentsOf(const Chain& chain) {
+    return chain.points.size() - (chain.closed ? 0 : 1);
+}
+
+std::optional<Problem> check(const Chain& chain) {
+    const std::size_t n = chain.points.size();
+    const std::size_t least = chain.closed ? 3 : 2;
+    const std::size_t most = kMaxParts + (chain.closed ? 0 : 1);
+    if (n < least || n > most) {
+        return Problem{"points", "must be from " + std::to_string(least) + " to " +
+                                     std::to_string(most) + ", but there are " + std::to_string(n)};
+    }
+    const auto nameOf = [](std::size_t i) { return "points[" + std::to_string(i) + "]"; };
+    if (auto problem = checkPoint(nameOf(0), chain.points[0])) {
+        return problem;
+    }
+    for (std::size_t i = 0; i < segmentsOf(chain); ++i) {
+        const std::size_t next = (i + 1) % n;
+        if (auto problem = checkEnd(nameOf(next).c_str(), chain.points[next], chain.points[i],
+                                    nameOf(i).c_str())) {
+            return problem;
+        }
+    }
+    if (!chain.materials.empty() && chain.materials.size() != segmentsOf(chain)) {
+        return Problem{"materials", "must be one for each of the " +
+                                        std::to_string(segmentsOf(chain)) +
+                                        " segments, or none, but there are " +
+                                        std::to_string(chain.materials.size())};
+    }
+    for (std::size_t i = 0; i < chain.materials.size(); ++i) {
+        if (auto problem = check(chain.materials[i])) {
+            problem->field.replace(0, std::string("material").size(),
+                                   "materials[" + std::to_string(i) + "]");
+            return problem;
+        }
+    }
+    return std::nullopt;
+}
+
+std::vector<Primitive> primitivesOf(const Chain& chain) {
+    const std::size_t n = chain.points.size();
+    // The outside is on the left of the points of a clockwise outline.
+    const bool turned = chain.closed && chain.oneSided && areaWithin(chain.points) > 0;
+    std::vector<Primitive> segments;
+    segments.reserve(segmentsOf(chain));
+    for (std::size_t i = 0; i < segmentsOf(chain); ++i) {
+        const Vec2 from = chain.points[i];
+        const Vec2 to = chain.points[(i + 1) % n];
+        segments.emplace_back(turned ? Segment{to, from, true} : Segment{from, to, chain.oneSided});
+    }
+    return segments;
 }
 
 std::optional<Problem> check(const Compound& compound) {
@@ -273,14 +301,7 @@ Point movedShape(const Point& point, const Transform& t) {
 }
 
 Segment movedShape(const Segment& segment, const Transform& t) {
-    Segment result{t * segment.from, t * segment.to, segment.oneSided, {}, {}};
-    if (segment.before) {
-        result.before = t * *segment.before;
-    }
-    if (segment.after) {
-        result.after = t * *segment.after;
-    }
-    return result;
+    return {t * segment.from, t * segment.to, segment.oneSided};
 }
 
 Plane movedShape(const Plane& plane, const Transform& t) {
@@ -309,6 +330,9 @@ std::vector<Primitive> primitivesOf(const Shape& shape) {
     }
     if (const auto* map = std::get_if<Heightmap>(&shape)) {
         return primitivesOf(*map);
+    }
+    if (const auto* chain = std::get_if<Chain>(&shape)) {
+        return primitivesOf(*chain);
     }
     return std::visit(
         [](const auto& kind) -> std::vector<Primitive> {

@@ -307,7 +307,7 @@ std::vector<BodyId> overlap(const World& world, const Aabb& box, CollisionFilter
     if (half.x > 0 && half.y > 0) {
         primitive = Box{2 * half.x, 2 * half.y, {}, {}};
     } else if (half.x > 0 || half.y > 0) {
-        primitive = Segment{-half, half, false, {}, {}};
+        primitive = Segment{-half, half};
     }
     const ConvexShape convex = convexShapeOf(primitive, {});
     const auto hasCornerInside = [&](const ConvexShape& part, const Transform& pose) {
