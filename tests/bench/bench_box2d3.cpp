@@ -202,7 +202,7 @@ private:
 
     static void refuse(const StepOptions& options) {
         if (options.profile || options.passes || options.positionPasses ||
-            !options.leaveOut.empty() || options.pairs != "auto" || options.threads != 1) {
+            !options.leaveOut.empty() || options.threads != 1) {
             throw WrongUse("Box2D 3 takes substeps, contactHertz and jointHertz, and nothing else");
         }
         if (box2d3::b2IsDoublePrecision()) { // positions have another type

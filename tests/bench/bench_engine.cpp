@@ -29,11 +29,6 @@ const std::vector<std::string>& featureNames() {
     return kNames;
 }
 
-const std::vector<std::string>& pairSearchNames() {
-    static const std::vector<std::string> kNames{"brute", "grid", "sweep-and-prune", "auto"};
-    return kNames;
-}
-
 namespace {
 
 /// Throws WrongUse for two values of one number.

@@ -33,7 +33,6 @@ struct StepOptions {
     std::vector<std::string> leaveOut{}; // features of Kodo, see featureNames()
     std::optional<int> passes{};         // velocity iterations of Box2D
     std::optional<int> positionPasses{}; // position iterations of Box2D
-    std::string pairs = "auto";          // broad phase of Kodo: see pairSearchNames()
     int threads = 1;
     bool stages = false; // measure the time of each stage, at a small cost
     bool rest = false;   // enable sleep; set by the scene
@@ -109,7 +108,6 @@ const std::vector<std::string>& engineNames();
 std::vector<std::string> builtEngines();
 const std::vector<std::string>& profileNames();
 const std::vector<std::string>& featureNames();
-const std::vector<std::string>& pairSearchNames();
 
 std::unique_ptr<Engine> makeEngine(const std::string& name, const scenes::SceneDef& scene,
                                    const StepOptions& options);

@@ -34,10 +34,6 @@ kodo::StepSettings profileOf(const std::string& name) {
     throw WrongUse("Kodo has no profile '" + name + "'");
 }
 
-constexpr std::array kPairSearches = {kodo::PairSearch::BruteForce, kodo::PairSearch::Grid,
-                                      kodo::PairSearch::SweepAndPrune}; // same order as
-                                                                        // pairSearchNames()
-
 kodo::Feature featureOf(const std::string& name) {
     const std::vector<std::string>& names = featureNames();
     const auto found = std::find(names.begin(), names.end(), name);
@@ -53,16 +49,6 @@ static_assert(static_cast<int>(kodo::Feature::Friction) == 1 << 0 &&
               static_cast<int>(kodo::Feature::Records) == 1 << 4 &&
               static_cast<int>(kodo::Feature::Sleep) == 1 << 5 &&
               static_cast<int>(kodo::Feature::Rotation) == 1 << 6); // same order as featureNames()
-
-std::optional<kodo::PairSearch> pairSearchOf(const std::string& name) {
-    const std::vector<std::string>& names = pairSearchNames();
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end()) {
-        throw WrongUse("Kodo does not look for pairs by '" + name + "'");
-    }
-    const auto place = static_cast<std::size_t>(found - names.begin());
-    return place == kPairSearches.size() ? std::nullopt : std::optional(kPairSearches[place]);
-}
 
 /// A single value of the settings. set() returns why it cannot be set, or "".
 struct Number {
@@ -229,9 +215,7 @@ public:
     KodoEngine(const scenes::SceneDef& scene, const StepOptions& options)
         : scene_(scenes::inKodo(scene, settingsOf(options))),
           pool_(options.threads - 1),
-          timesStages_(options.stages) {
-        setPairSearch(scene_.world, pairSearchOf(options.pairs));
-    }
+          timesStages_(options.stages) {}
 
     void step(double dt) override {
         scene_.world.step(static_cast<kodo::Real>(dt),

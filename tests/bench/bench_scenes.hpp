@@ -120,6 +120,11 @@ Scene ring(int size, std::uint64_t seed);
 Scene shards(int size, std::uint64_t seed);
 Scene smash(int size, std::uint64_t seed);
 Scene crowdPoint(int size, std::uint64_t seed);
+// bench_worst.cpp
+Scene stream(int size, std::uint64_t seed);
+Scene cleared(int size, std::uint64_t seed);
+Scene woken(int size, std::uint64_t seed);
+Scene explosion(int size, std::uint64_t seed);
 // bench_laws.cpp
 Scene forces(int size, std::uint64_t seed);
 Scene slide(int size, std::uint64_t seed);

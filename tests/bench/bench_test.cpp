@@ -325,9 +325,6 @@ TEST(Options, AreRefusedIfTheEngineDoesNotSupportThem) {
     options.step.set = {"contactHertz=120", "impactPasses=4"};
     EXPECT_NO_THROW(run(options));
     options.step.set = {};
-    options.step.pairs = "magic";
-    EXPECT_THROW(run(options), WrongUse);
-    options.step.pairs = "auto";
     options.step.substeps = 0;
     EXPECT_THROW(run(options), WrongUse);
     options.engine = "box2d"; // no substeps and no profiles

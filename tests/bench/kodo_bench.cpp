@@ -47,8 +47,6 @@ void addOptions(CLI::App& app, Options& options) {
     app.add_option("--leave-out", step.leaveOut, "Features that Kodo omits, separated by commas")
         ->delimiter(',')
         ->check(CLI::IsMember(featureNames()));
-    app.add_option("--pairs", step.pairs, "Broad phase of Kodo; auto unless given")
-        ->check(CLI::IsMember(pairSearchNames()));
     app.add_option("--threads", step.threads, "Number of threads; 1 unless given")
         ->check(CLI::Range(1, 64));
     app.add_option("--steps", run.steps, "Number of steps of 1/60 s, instead of the scene's")

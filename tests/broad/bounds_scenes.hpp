@@ -3,28 +3,10 @@
 
 #include <support/random_numbers.hpp>
 
-#include "broad/brute_force.hpp"
-
-#include <numeric>
+#include "broad/bounds_pair.hpp"
+#include "math/octagon.hpp"
 
 namespace kodo::bounds_scenes {
-
-inline bool acceptAll(std::uint32_t, std::uint32_t) {
-    return true;
-}
-
-/// Marks all bounds as moved.
-class AllMoved {
-public:
-    explicit AllMoved(std::size_t count) : list_(count), flags_(count, 1) {
-        std::iota(list_.begin(), list_.end(), 0u);
-    }
-    operator Moved() const { return {list_, flags_}; }
-
-private:
-    std::vector<std::uint32_t> list_;
-    std::vector<std::uint8_t> flags_;
-};
 
 inline std::vector<BoundsPair> byBruteForce(const std::vector<Octagon>& bounds) {
     std::vector<BoundsPair> pairs;

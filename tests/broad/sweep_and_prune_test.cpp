@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "broad/sweep_and_prune.hpp"
-
 #include <broad/bounds_scenes.hpp>
+#include <broad/sweep_and_prune.hpp>
 #include <gtest/gtest.h>
 
 namespace kodo {
 namespace {
 
 using namespace bounds_scenes;
-
-std::vector<BoundsPair> bySweep(SweepAndPrune& sweep, const std::vector<Octagon>& bounds) {
-    std::vector<BoundsPair> pairs;
-    sweep.pairs(bounds, AllMoved(bounds.size()), acceptAll, pairs);
-    PairSorter().sort(pairs, bounds.size());
-    return pairs;
-}
 
 // O1: the same pairs in the same order, with state of the last call and with changing counts.
 TEST(SweepAndPrune, AgreesWithBruteForce) {
@@ -25,7 +17,7 @@ TEST(SweepAndPrune, AgreesWithBruteForce) {
         SCOPED_TRACE(scene);
         std::vector<Octagon> bounds = randomScene(random, random.below(120));
         for (int frame = 0; frame < 4; ++frame) {
-            ASSERT_EQ(bySweep(sweep, bounds), byBruteForce(bounds));
+            ASSERT_EQ(sweep.pairs(bounds), byBruteForce(bounds));
             found += byBruteForce(bounds).size();
             for (Octagon& each : bounds) {
                 each = each.moved(random.point(0.5));
@@ -38,24 +30,25 @@ TEST(SweepAndPrune, AgreesWithBruteForce) {
 TEST(SweepAndPrune, FindsTouchingAndEqualBounds) {
     SweepAndPrune sweep;
     const std::vector<Octagon> bounds{boxAt(0, 0), boxAt(1, 1), boxAt(0, 0), boxAt(5, 5, 0, 0)};
-    EXPECT_EQ(bySweep(sweep, bounds), byBruteForce(bounds));
+    EXPECT_EQ(sweep.pairs(bounds), byBruteForce(bounds));
     EXPECT_EQ(byBruteForce(bounds).size(), 3u);
 }
 
 TEST(SweepAndPrune, FindsNoPairAmongFewerThanTwoBounds) {
     SweepAndPrune sweep;
-    EXPECT_TRUE(bySweep(sweep, {}).empty());
-    EXPECT_TRUE(bySweep(sweep, {boxAt(0, 0)}).empty());
+    EXPECT_TRUE(sweep.pairs({}).empty());
+    EXPECT_TRUE(sweep.pairs(std::vector{boxAt(0, 0)}).empty());
 }
 
-TEST(SweepAndPrune, ReportsOnlyAcceptedPairs) {
-    SweepAndPrune sweep;
-    const std::vector<Octagon> bounds{boxAt(0, 0), boxAt(0, 0), boxAt(0, 0)};
-    std::vector<BoundsPair> pairs;
-    sweep.pairs(
-        bounds, AllMoved(bounds.size()),
-        [](std::uint32_t i, std::uint32_t j) { return i == 0 && j == 2; }, pairs);
-    EXPECT_EQ(pairs, (std::vector<BoundsPair>{{0, 2}}));
+// O2: below the threshold all pairs are tested, with the same result.
+TEST(SweepAndPrune, TestsAllPairsUpToTheThreshold) {
+    support::RandomNumbers random(52);
+    for (const std::size_t count : {std::size_t{20}, std::size_t{21}}) {
+        const std::vector<Octagon> bounds = randomScene(random, count);
+        SweepAndPrune sweep(20);
+        EXPECT_EQ(sweep.pairs(bounds), byBruteForce(bounds));
+        EXPECT_EQ(sweep.testCount() == count * (count - 1) / 2, count == 20);
+    }
 }
 
 // O1: the flat row of ten boxes of the thesis (5.1). Brute force makes 45 tests, a sweep along the
@@ -68,11 +61,11 @@ TEST(SweepAndPrune, NeedsNoTestForAFlatRow) {
         upright.push_back(boxAt(0, static_cast<Real>(2 * i)));
     }
     SweepAndPrune sweep;
-    EXPECT_TRUE(bySweep(sweep, along).empty());
+    EXPECT_TRUE(sweep.pairs(along).empty());
     EXPECT_EQ(sweep.testCount(), 0u);
     EXPECT_TRUE(sweep.alongX());
     SweepAndPrune other;
-    EXPECT_TRUE(bySweep(other, upright).empty());
+    EXPECT_TRUE(other.pairs(upright).empty());
     EXPECT_EQ(other.testCount(), 0u) << "the axis was not swapped";
     EXPECT_FALSE(other.alongX());
 }
@@ -97,10 +90,10 @@ TEST(SweepAndPrune, SwapsTheAxisWhenTheOtherIsBetter) {
         flat.push_back(boxAt(3 * at, 0));
         tall.push_back(boxAt(0, 3 * at));
     }
-    bySweep(sweep, flat);
+    sweep.pairs(flat);
     ASSERT_TRUE(sweep.alongX());
     for (int call = 0; call < 100; ++call) {
-        ASSERT_TRUE(bySweep(sweep, tall).empty());
+        ASSERT_TRUE(sweep.pairs(tall).empty());
     }
     EXPECT_FALSE(sweep.alongX());
     EXPECT_EQ(sweep.testCount(), 0u);
@@ -111,7 +104,7 @@ TEST(SweepAndPrune, KeepsTheAxisWhileBothAreEqual) {
     SweepAndPrune sweep;
     const std::vector<Octagon> diagonal = spread(40, 100, 100);
     for (int call = 0; call < 200; ++call) {
-        bySweep(sweep, diagonal);
+        sweep.pairs(diagonal);
         ASSERT_TRUE(sweep.alongX());
     }
     SweepAndPrune tall;
@@ -119,10 +112,10 @@ TEST(SweepAndPrune, KeepsTheAxisWhileBothAreEqual) {
     for (int i = 0; i < 40; ++i) {
         column.push_back(boxAt(0, static_cast<Real>(3 * i)));
     }
-    bySweep(tall, column);
+    tall.pairs(column);
     ASSERT_FALSE(tall.alongX());
     for (int call = 0; call < 200; ++call) {
-        bySweep(tall, diagonal);
+        tall.pairs(diagonal);
         ASSERT_FALSE(tall.alongX());
     }
 }

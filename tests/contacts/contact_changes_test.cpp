@@ -50,7 +50,9 @@ public:
         }
     }
     void updatePairs() {
-        refreshAwake(bodies_);
+        if (refreshAwake(bodies_)) {
+            contacts_.candidates().moveToTrees(bodies_, bodies_.changes.toggled);
+        }
         contacts_.updatePairs(bodies_, {}, kUsual, Real(1) / 60, team_);
         noteStart(bodies_);
         clearArrivals(bodies_);

@@ -148,17 +148,20 @@ TEST(PartBounds, KeepIndicesOfPartsWhileOtherBodiesComeAndGo) {
     }
     bounds.renew(bodies, kDistances);
     removeBody(bodies, 3);
-    EXPECT_FALSE(bounds.renew(bodies, kDistances, std::vector<std::uint32_t>{3}));
+    bounds.renew(bodies, kDistances, 3);
+    EXPECT_FALSE(bounds.dropUnused());
     EXPECT_TRUE(bounds.hasUnused());
     EXPECT_EQ(bounds.indexOf(4, 0), 4u);
     EXPECT_EQ(bounds.usedCount(), kBodies - 1);
     ASSERT_EQ(add(Circle{1}), 3u);
-    EXPECT_FALSE(bounds.renew(bodies, kDistances, std::vector<std::uint32_t>{3}));
+    bounds.renew(bodies, kDistances, 3);
+    EXPECT_FALSE(bounds.dropUnused());
     EXPECT_FALSE(bounds.hasUnused());
 
     removeBody(bodies, 3);
     ASSERT_EQ(add(Compound{{Circle{1}, Circle{1}}}), 3u);
-    EXPECT_FALSE(bounds.renew(bodies, kDistances, std::vector<std::uint32_t>{3}));
+    bounds.renew(bodies, kDistances, 3);
+    EXPECT_FALSE(bounds.dropUnused());
     EXPECT_EQ(bounds.moves(), 2u);
     EXPECT_EQ(bounds.indexOf(3, 0), kBodies);
     EXPECT_EQ(bounds.indexOf(4, 0), 4u);
@@ -172,12 +175,11 @@ TEST(PartBounds, KeepIndicesOfPartsWhileOtherBodiesComeAndGo) {
     EXPECT_EQ(bounds.indexNow(4, 4), 5u);
     EXPECT_EQ(bounds.part(4).part, 1u);
 
-    std::vector<std::uint32_t> most;
     for (std::uint32_t body = 10; body < kBodies; ++body) {
         removeBody(bodies, body);
-        most.push_back(body);
+        bounds.renew(bodies, kDistances, body);
     }
-    EXPECT_TRUE(bounds.renew(bodies, kDistances, most));
+    EXPECT_TRUE(bounds.dropUnused());
     EXPECT_EQ(bounds.size(), 11u); // ten bodies, one of them with two parts
     EXPECT_EQ(bounds.indexOf(9, 0), 10u);
 }
@@ -190,30 +192,29 @@ TEST(PartBounds, NewIndicesVisitWhatLives) {
     PartBounds bounds;
     const BodyDef def{.shape = Circle{1}};
     const auto add = [&] { return addBody(bodies, def, makeGeometry(partsOf(def))).index; };
-    std::vector<std::uint32_t> gone;
     for (std::uint32_t i = 0; i < kGone + 4; ++i) {
         add();
     }
     bounds.renew(bodies, kDistances);
     for (std::uint32_t i = 2; i < kGone + 2; ++i) {
         removeBody(bodies, i);
-        gone.push_back(i);
+        bounds.renew(bodies, kDistances, i);
     }
-    EXPECT_TRUE(bounds.renew(bodies, kDistances, gone));
+    EXPECT_TRUE(bounds.dropUnused());
     std::vector<std::uint32_t> listed;
     bounds.listBodies(listed);
     EXPECT_EQ(listed, (std::vector<std::uint32_t>{0, 1, kGone + 2, kGone + 3}));
     for (int i = 0; i < 3; ++i) {
         const std::uint64_t before = bounds.moves();
         const std::uint32_t added = add();
-        EXPECT_FALSE(bounds.renew(bodies, kDistances, std::vector{added}));
+        bounds.renew(bodies, kDistances, added);
         EXPECT_FALSE(bounds.isInOrder());
         EXPECT_TRUE(bounds.compact());
         EXPECT_LT(bounds.moves() - before, 20u);
         EXPECT_EQ(bounds.indexOf(kGone + 3, 0), 4u);
         EXPECT_EQ(bounds.indexNow(3, kGone + 3), 4u);
         removeBody(bodies, added);
-        EXPECT_FALSE(bounds.renew(bodies, kDistances, std::vector{added}));
+        bounds.renew(bodies, kDistances, added);
         EXPECT_TRUE(bounds.compact());
         EXPECT_EQ(bounds.indexOf(kGone + 3, 0), 3u);
     }

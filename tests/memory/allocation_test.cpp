@@ -133,21 +133,6 @@ TEST(Allocation, AStepOfAStirredPileAllocatesNothing) {
     }
 }
 
-// The first use of each algorithm for pairs.
-TEST(Allocation, TheFirstUseOfAPairSearchAllocatesNothing) {
-    for (const PairSearch way : {PairSearch::Grid, PairSearch::SweepAndPrune}) {
-        SCOPED_TRACE(static_cast<int>(way));
-        Scene scene(settingsFor(Solver::Soft, false));
-        setPairSearch(scene.world, PairSearch::BruteForce);
-        scene.stir(1500, 3);
-        scene.stir(600, Real(0.5));
-        setPairSearch(scene.world, way);
-        const std::uint64_t before = allocationCount();
-        scene.stir(60, Real(0.5));
-        EXPECT_EQ(allocationCount(), before);
-    }
-}
-
 // A sleeping pile with the platform at rest and active joints.
 TEST(Allocation, AStepOfASleepingPileAllocatesNothing) {
     for (const Solver strategy : kSolvers) {

@@ -67,12 +67,5 @@ TEST(BadField, IsRefusedByNameAndChangesNothing) {
     EXPECT_EQ(world.stateHash(), hash);
 }
 
-TEST(BadField, APairSearchThatDoesNotExistIsRefused) {
-    World world;
-    EXPECT_THROW(setPairSearch(world, static_cast<PairSearch>(77)), BadDefinition);
-    EXPECT_NO_THROW(setPairSearch(world, PairSearch::SweepAndPrune));
-    EXPECT_NO_THROW(setPairSearch(world, std::nullopt));
-}
-
 } // namespace
 } // namespace kodo

@@ -57,7 +57,6 @@ const GuardedCall kChanges[] = {
     {"World::setRegion", [](GuardedScene& s) { s.world.setRegion({}); }},
     {"World::setSettings", [](GuardedScene& s) { s.world.setSettings(thesis2006()); }},
     {"World::operator=", [](GuardedScene& s) { s.world = static_cast<const World&>(World{}); }},
-    {"setPairSearch", [](GuardedScene& s) { setPairSearch(s.world, {}); }},
     {"BodyRef::setPosition", [](GuardedScene& s) { s.world[s.box].setPosition({}); }},
     {"BodyRef::setRotation", [](GuardedScene& s) { s.world[s.box].setRotation({}); }},
     {"BodyRef::setVelocity", [](GuardedScene& s) { s.world[s.box].setVelocity({}); }},

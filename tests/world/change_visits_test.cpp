@@ -52,30 +52,19 @@ Aabb regionAt(Real x, Real reach) {
 TEST(ChangeVisits, AMoveOfTheRegionVisitsWhatCrossesItsEdges) {
     SleepingRow row;
     row.world.setRegion(regionAt(0, 100));
-    (void)rayCast(row.world, {0, 50}, {0, 40}); // builds the tree of queries
     row.world.step(support::kDt);
     for (int move = 1; move <= 20; ++move) {
         const std::uint64_t pairWork = stepStats(row.world).pairWork;
         const auto x = static_cast<Real>(move);
         // Two boxes enter, two leave, as many are near, and the floor is on all edges.
         EXPECT_LE(row.visits([&] { row.world.setRegion(regionAt(x, 100)); }), 16u);
-        EXPECT_LE(stepStats(row.world).pairWork - pairWork, std::uint64_t{100'000});
+        EXPECT_LE(stepStats(row.world).pairWork - pairWork, 20u);
         EXPECT_EQ(stepStats(row.world).bodies, 0u);
     }
     for (const BodyId id : row.boxes) {
         const Aabb box = row.world[id].bounds();
         EXPECT_EQ(support::isOutside(row.world, id), box.upper.x < -80 || box.lower.x > 120);
     }
-}
-
-// After as many moves, the tree of queries is built without a query.
-TEST(ChangeVisits, ManyMovesOfTheRegionCeaseToVisitAllBodies) {
-    SleepingRow row;
-    std::uint64_t last = kBodies;
-    for (int move = 0; move < 40; ++move) {
-        last = row.visits([&] { row.world.setRegion(regionAt(static_cast<Real>(move), 100)); });
-    }
-    EXPECT_LE(last, 16u);
 }
 
 // Regression: it took the impulses of all contacts.

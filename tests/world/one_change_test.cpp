@@ -29,7 +29,7 @@ struct Heap {
         def.flags = kLockMove | kLockRotate;
         return world.add(def);
     }
-    /// ps, modelled cost of the pair search, mean per step; calls change() before each step.
+    /// Pairs of nodes that the pair search compares, mean per step; calls change() before each.
     template <typename Change>
     std::uint64_t pairWork(Change change) {
         const std::uint64_t before = stepStats(world).pairWork;
@@ -54,7 +54,7 @@ TEST(OneChange, DoesNotCauseASearchForAllPairs) {
         coming.world.remove(coming.apart);
         coming.apart = coming.addApart();
     });
-    constexpr std::uint64_t kOne = 2000 * kBodies; // ps: comparison with all others, at most twice
+    constexpr std::uint64_t kOne = 20; // pairs of nodes; there are some 150 nodes
     EXPECT_LE(teleports, none + none / 10 + kOne);
     EXPECT_LE(comes, none + none / 10 + kOne);
 }
@@ -78,7 +78,7 @@ TEST(OneChange, NeitherWakesNorSearchesASleepingWorld) {
         EXPECT_EQ(stepStats(world).bodies, 1u);
         world.remove(shot);
     }
-    EXPECT_LE(stepStats(world).pairWork - before, std::uint64_t{4000} * kBodies * kSteps);
+    EXPECT_LE(stepStats(world).pairWork - before, std::uint64_t{4} * kSteps);
     EXPECT_EQ(support::countAsleep(world), static_cast<std::size_t>(kBodies));
 }
 

@@ -15,7 +15,7 @@ namespace {
 class TwinWorld {
 public:
     explicit TwinWorld(const Recipe& recipe) : recipe_(recipe) {
-        if (recipe.twin == Twin::Threads || isPairSearch()) {
+        if (recipe.twin == Twin::Threads || recipe.twin == Twin::Queries) {
             start(build(recipe));
         }
     }
@@ -31,6 +31,9 @@ public:
             if (event.step == step && scene_) {
                 apply(event, *scene_);
             }
+        }
+        if (scene_ && recipe_.twin == Twin::Queries) {
+            ask(scene_->world);
         }
         if (scene_) {
             scene_->world.step(recipe_.dt, options_);
@@ -51,9 +54,11 @@ public:
     }
 
 private:
-    bool isPairSearch() const {
-        return recipe_.twin == Twin::BruteForce || recipe_.twin == Twin::Grid ||
-               recipe_.twin == Twin::SweepAndPrune;
+    /// Queries change no bit.
+    static void ask(const World& world) {
+        rayCast(world, {-20, 3}, {20, 1});
+        overlap(world, Aabb{{-1, -1}, {1, 2}});
+        closestPoint(world, {3, 5});
     }
 
     void start(Scene scene) {
@@ -61,10 +66,6 @@ private:
         if (recipe_.twin == Twin::Threads) {
             thread_local ThreadPool pool(1);
             options_.executor = &pool;
-        }
-        if (isPairSearch()) {
-            const int kind = static_cast<int>(recipe_.twin) - static_cast<int>(Twin::BruteForce);
-            setPairSearch(scene_->world, static_cast<PairSearch>(kind));
         }
     }
 

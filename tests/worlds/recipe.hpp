@@ -28,8 +28,8 @@ struct Event {
 };
 
 /// What runs beside the world and must have the same bits.
-enum class Twin { None, Copy, Bytes, BruteForce, Grid, SweepAndPrune, Threads };
-inline constexpr int kTwins = 7;
+enum class Twin { None, Copy, Bytes, Queries, Threads };
+inline constexpr int kTwins = 5;
 
 /// A world and what happens to it, as plain data. Ids in joints are indices of bodies.
 struct Recipe {

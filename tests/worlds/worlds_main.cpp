@@ -42,7 +42,7 @@ constexpr const char* kJudges =
     "  through    the path of a body crosses another body\n"
     "  touch      a touch that begins twice, or has no begin, no end or no record\n"
     "  sleep      all bodies sleep, and one of them would move without sleep\n"
-    "  twin       a copy, a snapshot, another pair search or a second thread has other bits\n"
+    "  twin       a copy, a snapshot, one with queries or a second thread has other bits\n"
     "  numbers    a number that is not finite, or a frozen body\n"
     "  exception  an exception, or an assertion that fails\n"
     "\"of the scale\" in a finding of energy: relative to the largest kinetic energy so far, or, "

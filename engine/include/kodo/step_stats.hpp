@@ -6,7 +6,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string_view>
 
 namespace kodo {
@@ -14,15 +13,14 @@ inline namespace KODO_PRECISION {
 
 class World;
 
-// For measurements: counters without a clock, a choice of the broad phase, and the stages of a
-// step.
+// For measurements: counters without a clock, and the stages of a step.
 
 /// Work of the last step.
 struct StepStats {
     std::size_t bodies = 0;     // awake bodies
     std::size_t contacts = 0;   // visits of contacts by the solver, summed over all passes
     std::size_t joints = 0;     // joints of awake bodies
-    std::uint64_t pairWork = 0; // modelled cost of the broad phase, all steps so far (ps)
+    std::uint64_t pairWork = 0; // pairs of nodes of bounds trees compared, all steps so far
     /// Bodies and parts that calls visited which concern many: setRegion(), forces on all, and
     /// welds whose parts need more room in the next step. Also contacts outside the region that
     /// calls and steps visited. Of all calls so far.
@@ -30,13 +28,6 @@ struct StepStats {
 };
 
 KODO_API StepStats stepStats(const World& world);
-
-/// Ways to find overlapping bounds. All find the same pairs.
-enum class PairSearch : std::uint8_t { BruteForce, Grid, SweepAndPrune };
-
-/// Fixes the way; std::nullopt chooses the cheapest one, call by call. It changes the cost of a
-/// step alone, and snapshots do not contain it.
-KODO_API void setPairSearch(World& world, std::optional<PairSearch> only);
 
 /// Stages of World::step(), in their order.
 enum class StepStage : std::uint8_t { Broad, Narrow, Forces, Solve, Continuous, Record, Sleep };

@@ -2,52 +2,140 @@
 #include "contacts/candidate_pairs.hpp"
 
 #include <algorithm>
-#include <utility>
+#include <array>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
+namespace {
+
+Rest restOf(const Bodies& bodies, std::uint32_t body) {
+    return bodies.active(body) ? Rest::Moving : bodies.asleep(body) ? Rest::Asleep : Rest::Static;
+}
+
+} // namespace
 
 void CandidatePairs::renew(const Bodies& bodies, const Tolerances& tolerances) {
     bounds_.renew(bodies, tolerances);
-    finder_.forget();
-    still_.forget();
+    buildTrees(bodies);
 }
 
-bool CandidatePairs::renew(const Bodies& bodies, const Tolerances& tolerances,
-                           std::span<const std::uint32_t> changed) {
-    const std::size_t before = bounds_.size();
-    const bool renumbered = bounds_.renew(bodies, tolerances, changed);
-    if (renumbered || bounds_.size() != before) {
-        forgetOrder();
+void CandidatePairs::buildTrees(const Bodies& bodies) {
+    trees_.clear();
+    planes_.clear();
+    std::array<std::vector<BoundsTrees::Leaf>, kRests> leaves;
+    for (std::uint32_t i = 0; i < bounds_.size(); ++i) {
+        if (!bounds_.isUsed(i)) {
+            continue;
+        }
+        if (bounds_.isPlane(i)) {
+            planes_.push_back(i);
+        } else {
+            const Rest rest = restOf(bodies, bounds_.part(i).body);
+            leaves[static_cast<std::size_t>(rest)].push_back({bounds_.grown()[i].box(), i});
+        }
     }
-    still_.bodiesChanged(bodies, bounds_, changed);
-    return renumbered;
+    for (std::size_t rest = 0; rest < kRests; ++rest) {
+        trees_.add(static_cast<Rest>(rest), leaves[rest]);
+    }
 }
 
-bool CandidatePairs::compact() {
-    if (!bounds_.compact()) {
+void CandidatePairs::renew(const Bodies& bodies, const Tolerances& tolerances, std::uint32_t body) {
+    const std::uint32_t first = bounds_.firstOf(body);
+    const std::uint32_t count = bounds_.countOf(body);
+    std::erase_if(planes_, [&](std::uint32_t i) { return bounds_.part(i).body == body; });
+    bounds_.renew(bodies, tolerances, body);
+    const std::uint32_t firstNow = bounds_.firstOf(body);
+    const std::uint32_t countNow = bounds_.countOf(body);
+    for (std::uint32_t i = first; i < first + count; ++i) {
+        if (i - firstNow >= countNow || bounds_.isPlane(i)) {
+            trees_.remove(i);
+        }
+    }
+    for (std::uint32_t i = firstNow; i < firstNow + countNow; ++i) {
+        if (bounds_.isPlane(i)) {
+            planes_.push_back(i);
+        } else {
+            trees_.set(i, restOf(bodies, body), bounds_.grown()[i].box());
+        }
+    }
+}
+
+bool CandidatePairs::dropUnused(const Bodies& bodies) {
+    if (!bounds_.dropUnused()) {
         return false;
     }
-    forgetOrder();
+    buildTrees(bodies);
     return true;
 }
 
-/// The indices of bounds have changed.
-void CandidatePairs::forgetOrder() {
-    finder_.forget();
-    movers_.forget();
+bool CandidatePairs::compact(const Bodies& bodies) {
+    if (!bounds_.compact()) {
+        return false;
+    }
+    buildTrees(bodies);
+    return true;
+}
+
+void CandidatePairs::moveToTrees(const Bodies& bodies, std::span<const std::uint32_t> toggled) {
+    for (const Rest rest : {Rest::Static, Rest::Asleep, Rest::Moving}) {
+        leaves_.clear();
+        for (const std::uint32_t body : toggled) {
+            const std::uint32_t first = bounds_.firstOf(body);
+            for (std::uint32_t i = first; i < first + bounds_.countOf(body); ++i) {
+                if (trees_.has(i) && restOf(bodies, body) == rest && trees_.restOf(i) != rest) {
+                    leaves_.push_back({trees_.boxOf(i), i});
+                    trees_.remove(i);
+                }
+            }
+        }
+        trees_.add(rest, leaves_);
+    }
+}
+
+void CandidatePairs::coverPoses(const Bodies& bodies, const Tolerances& tolerances) {
+    for (const std::uint32_t body : bodies.awake) {
+        const BodyVelocity& motion = bodies.motion[body];
+        const Real rotationReach = bodies.extent[body].reachOfTurn(motion.deltaAngle);
+        if (axialWay(motion, rotationReach) < tolerances.margin / 2) {
+            continue; // the grown bounds exceed the part by the margin, at least
+        }
+        const std::uint32_t first = bounds_.firstOf(body);
+        for (std::uint32_t i = first; i < first + bounds_.countOf(body); ++i) {
+            const Octagon& tight = bounds_.tight(i);
+            if (!bounds_.grown()[i].contains(
+                    tight.moved(motion.deltaPosition).grown(rotationReach)) &&
+                trees_.has(i)) {
+                const Aabb box = bounds_.at(bodies, i, bodies.pose[body]).box();
+                trees_.set(i, trees_.restOf(i), unite(trees_.boxOf(i), box));
+            }
+        }
+    }
+}
+
+/// Moves the leaves of changed bounds.
+void CandidatePairs::followChanged(const Bodies& bodies) {
+    anyArrived_ = false;
+    for (const std::uint32_t i : bounds_.changed()) {
+        const std::uint32_t body = bounds_.part(i).body;
+        anyArrived_ = anyArrived_ || (bodies.hasArrived[body] != 0 && !bodies.active(body));
+        if (trees_.has(i)) {
+            trees_.set(i, trees_.restOf(i), bounds_.grown()[i].box());
+        }
+    }
 }
 
 bool CandidatePairs::search(const Bodies& bodies, const JointLists& joints, WorkerTeam& team) {
     pairs_.clear();
     if (bounds_.changed().empty()) {
-        if (bodies.awake.size() < still_.awakeCount() / 2) {
-            // In the step after they fell asleep, not at the next hit.
-            still_.update(bodies, bounds_);
-        }
         return false;
     }
+    followChanged(bodies);
+    const std::uint8_t* const isChanged = bounds_.isChanged().data();
+    const Octagon* const grown = bounds_.grown().data();
     const auto accept = [&](std::uint32_t i, std::uint32_t j) {
+        if ((isChanged[i] | isChanged[j]) == 0 || !overlap(grown[i], grown[j])) {
+            return false;
+        }
         const std::uint32_t a = bounds_.part(i).body;
         const std::uint32_t b = bounds_.part(j).body;
         const Flags flagsA = bodies.filter[a].flags;
@@ -63,69 +151,63 @@ bool CandidatePairs::search(const Bodies& bodies, const JointLists& joints, Work
                (bodies.active(a) || bodies.active(b) || arrives()) &&
                shouldCollide(bodies.filter[a], bodies.filter[b]) && !joints.exclude(a, b);
     };
-    if (still_.update(bodies, bounds_) || bounds_.hasUnused() || !bounds_.isInOrder()) {
-        searchMovers(bodies, accept, team);
-        return true;
-    }
-    if (movers_.forget()) {
-        finder_.forget();
-    }
-    finder_.pairs(bounds_.grown(), {bounds_.changed(), bounds_.isChanged()}, accept, pairs_, team);
+    nodePairs_.clear();
+    trees_.findNodePairs(anyArrived_, nodePairs_);
+    work_ += nodePairs_.size();
+    found_.gather(team, nodePairs_.size(), kNodePairsPerPiece, pairs_,
+                  [&](std::size_t first, std::size_t last, std::vector<BoundsPair>& found) {
+                      for (std::size_t k = first; k < last; ++k) {
+                          trees_.forPairs(nodePairs_[k], [&](std::uint32_t i, std::uint32_t j) {
+                              if (accept(i, j)) {
+                                  found.push_back({i, j});
+                              }
+                          });
+                      }
+                  });
+    trees_.clearMarks();
+    searchPlanes(accept);
+    sortPairs();
     return true;
 }
 
-/// Searches listed parts alone, and those of inactive bodies in a tree if there is one.
+/// Compares each plane with all parts if its bounds have changed, otherwise with those whose have.
 template <typename Accept>
-void CandidatePairs::searchMovers(const Bodies& bodies, Accept accept, WorkerTeam& team) {
-    MovingParts& movers = movers_;
-    still_.listOthers(bodies, bounds_, movers.parts);
-    if (movers.gather(bounds_)) {
-        finder_.forget();
-    }
-    const auto acceptMovers = [&](std::uint32_t k, std::uint32_t other) {
-        return accept(movers.parts[k], movers.parts[other]);
+void CandidatePairs::searchPlanes(Accept accept) {
+    const auto add = [&](std::uint32_t plane, std::uint32_t i) {
+        if (accept(plane, i)) {
+            pairs_.push_back({plane, i});
+        }
     };
-    finder_.pairs(movers.bounds, {movers.changed, movers.isChanged}, acceptMovers, pairs_, team);
-    for (BoundsPair& pair : pairs_) {
-        pair = {movers.parts[pair.first], movers.parts[pair.second]};
-    }
-    if (still_.hasTree()) { // otherwise all parts were compared
-        searchTree(bodies, accept);
+    const std::span<const std::uint8_t> isChanged = bounds_.isChanged();
+    for (const std::uint32_t plane : planes_) {
+        if (isChanged[plane] == 0) {
+            for (const std::uint32_t i : bounds_.changed()) {
+                if (bounds_.isUsed(i)) {
+                    add(plane, i);
+                }
+            }
+            continue;
+        }
+        for (std::uint32_t i = 0; i < bounds_.size(); ++i) {
+            const bool again = bounds_.isPlane(i) && isChanged[i] != 0 && i < plane;
+            if (bounds_.isUsed(i) && !again) {
+                add(plane, i);
+            }
+        }
+        work_ += bounds_.size() / 64; // as many parts as a pair of nodes has pairs of leaves
     }
 }
 
-/// Adds the pairs of changed moving parts with the parts of inactive bodies. Two inactive bodies
-/// have none, unless one arrives.
-template <typename Accept>
-void CandidatePairs::searchTree(const Bodies& bodies, Accept accept) {
-    const std::size_t among = pairs_.size();
-    const auto ranksBefore = [&](std::uint32_t i, std::uint32_t j) {
-        return bounds_.rank(i) < bounds_.rank(j);
-    };
-    for (const std::uint32_t k : movers_.changed) {
-        const std::uint32_t i = movers_.parts[k];
-        const std::uint32_t body = bounds_.part(i).body;
-        if (!bodies.active(body) && bodies.hasArrived[body] == 0) {
-            continue; // it has stopped or fallen asleep
+/// Puts the pairs in order, and the members of each.
+void CandidatePairs::sortPairs() {
+    for (BoundsPair& pair : pairs_) {
+        if (bounds_.rank(pair.second) < bounds_.rank(pair.first)) {
+            std::swap(pair.first, pair.second);
         }
-        const Octagon& own = movers_.bounds[k];
-        const Aabb box = own.box();
-        still_.tree().search(
-            [&](const Aabb& node) { return overlap(box, node) ? 0 : BoundsTree::kMissed; },
-            [&](std::uint32_t other, std::uint32_t part) {
-                const std::uint32_t j = bounds_.indexOf(other, static_cast<std::uint16_t>(part));
-                if (overlap(own, bounds_.grown()[j]) &&
-                    !std::binary_search(movers_.parts.begin(), movers_.parts.end(), j,
-                                        ranksBefore)) {
-                    const auto [first, second] =
-                        ranksBefore(j, i) ? BoundsPair{j, i} : BoundsPair{i, j};
-                    if (accept(first, second)) {
-                        pairs_.push_back({first, second});
-                    }
-                }
-            });
     }
-    if (pairs_.size() > among) {
+    if (bounds_.isInOrder()) {
+        sorter_.sort(pairs_, bounds_.size());
+    } else {
         std::sort(pairs_.begin(), pairs_.end(), // total order: pairs are distinct
                   [&](BoundsPair a, BoundsPair b) { return bounds_.isBefore(a, b); });
     }

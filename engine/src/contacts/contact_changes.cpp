@@ -143,35 +143,39 @@ void ContactSet::putBack(std::span<const StoredContact> returning, Bodies& bodie
     }
 }
 
-/// Rebuilds bounds and contacts for changes of any number of bodies.
-void ContactSet::renew(const Bodies& bodies, const Tolerances& tolerances) {
-    changed();
-    candidates_.renew(bodies, tolerances);
-    touchCounts_.resize(bodies);
-    store_.describe(bodies, candidates_.bounds());
-}
-
 void ContactSet::bodyChanged(std::uint32_t body) {
     if (body >= hasChanged_.size()) {
-        hasChanged_.resize(body + std::size_t{1}, 0);
+        hasChanged_.resize(body + std::size_t{1}, Change::None);
     }
-    if (std::exchange(hasChanged_[body], std::uint8_t{1}) == 0) {
+    if (std::exchange(hasChanged_[body], Change::Any) == Change::None) {
         changes_.push_back(body);
     }
 }
 
-/// The same for the bodies in changes_ alone: updates their bounds and describes their contacts.
+void ContactSet::bodyChanged(const Bodies& bodies, const Tolerances& tolerances,
+                             std::uint32_t body) {
+    bodyChanged(body);
+    candidates_.renew(bodies, tolerances, body);
+    hasChanged_[body] = Change::Bounded;
+}
+
+/// Updates the bounds of the bodies in changes_ and describes their contacts.
 void ContactSet::renewChanged(const Bodies& bodies, const Tolerances& tolerances) {
     changed();
     std::sort(changes_.begin(), changes_.end()); // total order: bodies are unique
     resizeByBody(hasChanged_, bodies);
     touchCounts_.resize(bodies);
-    const PartBounds& bounds = candidates_.bounds();
-    const std::uint64_t moves = bounds.moves();
-    if (candidates_.renew(bodies, tolerances, changes_)) {
-        store_.renumberBounds(bounds);
-    } else if (bounds.moves() != moves) {
+    for (const std::uint32_t body : changes_) {
+        if (hasChanged_[body] == Change::Any) {
+            candidates_.renew(bodies, tolerances, body);
+        }
+    }
+    PartBounds& bounds = candidates_.bounds();
+    if (bounds.takeMoved()) {
         store_.partsChanged();
+    }
+    if (candidates_.dropUnused(bodies)) {
+        store_.renumberBounds(bounds);
     }
     for (const std::uint32_t body : changes_) {
         store_.describe(body, bodies, bounds);
@@ -196,17 +200,20 @@ void ContactSet::applyChanges(const Bodies& bodies, const Tolerances& tolerances
         addArrivals(activityChanges_);
     }
     if (std::exchange(stale_, false)) {
-        renew(bodies, tolerances);
+        changed();
+        candidates_.renew(bodies, tolerances);
+        touchCounts_.resize(bodies);
+        store_.describe(bodies, candidates_.bounds());
         pairsStale_ = false;
     } else if (!changes_.empty()) {
         renewChanged(bodies, tolerances);
     }
     for (const std::uint32_t body : changes_) {
-        hasChanged_[body] = 0;
+        hasChanged_[body] = Change::None;
     }
     changes_.clear();
     PartBounds& bounds = candidates_.bounds();
-    if (bounds.countStep(store_.size()) && candidates_.compact()) {
+    if (bounds.countStep(store_.size()) && candidates_.compact(bodies)) {
         store_.renumberBounds(bounds);
         store_.refreshPlaces();
     }

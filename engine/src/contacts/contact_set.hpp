@@ -39,8 +39,10 @@ public:
     TouchCounts& touchCounts() { return touchCounts_; }
 
     // Changes between two steps.
-    /// A body was added, removed or teleported, or its geometry or filter changed: its pairs are
-    /// searched again.
+    /// A body was added, removed or teleported, or its geometry or filter changed: its bounds are
+    /// found at once, its pairs are searched in the next step.
+    void bodyChanged(const Bodies& bodies, const Tolerances& tolerances, std::uint32_t body);
+    /// The same, but the bounds are found in the next step, too.
     void bodyChanged(std::uint32_t body);
     /// The same for all bodies.
     void bodiesChanged() { stale_ = true; }
@@ -130,11 +132,13 @@ public:
     void visitState(StateStream& stream, const Bodies& bodies, const Tolerances& tolerances);
 
 private:
+    /// Of a body since the last step; Bounded: its bounds are up to date.
+    enum class Change : std::uint8_t { None, Any, Bounded };
+
     void freeDetached();
     void takeIdle(std::uint32_t slot, const Bodies& bodies);
     StoredContact takeOut(std::uint32_t slot, const Bodies& bodies);
     void addEnd(const StoredContact& contact);
-    void renew(const Bodies& bodies, const Tolerances& tolerances);
     void renewChanged(const Bodies& bodies, const Tolerances& tolerances);
     void refreshPairs(Bodies& bodies, const JointLists& joints, WorkerTeam& team);
     void changed();
@@ -154,10 +158,10 @@ private:
     std::vector<std::uint32_t> onGround_;                  // slots: argument of ghostCollisions_
     std::vector<StoredContact> idle_;                      // result of takeIdle
     std::vector<std::uint32_t> changes_, activityChanges_; // bodies
-    std::vector<std::uint32_t> arrivals_;  // bodies with a change since the last takeArrivals
-    std::vector<std::uint8_t> hasChanged_; // by body: 1 if in changes_
+    std::vector<std::uint32_t> arrivals_; // bodies with a change since the last takeArrivals
+    std::vector<Change> hasChanged_;      // by body: not None if in changes_
     Real fastestApproach_ = 0;
-    bool stale_ = true, pairsStale_ = true, liveStale_ = true;
+    bool stale_ = false, pairsStale_ = false, liveStale_ = true;
     bool allArrived_ = true;      // instead of arrivals_
     bool contactsChanged_ = true; // in number or slot, or a body became immovable or movable
     std::uint8_t anySensors_ = 0, anyBounces_ = 0; // 0 or 1, from the last findKinds

@@ -105,9 +105,9 @@ void StepRecords::visitState(StateStream& stream) {
 /// Bounds of bodies that do not move date from their last motion. They do not follow from the
 /// bodies, so they are stored.
 void PartBounds::visitState(StateStream& stream, const Bodies& bodies) {
-    auto& [parts, firstPart, room, count, firstBefore, from, listed, usedCount, inOrder, compared,
-           moves, footprints, corners, unusedCorners, tight, grown, changed, isChanged, outgrown] =
-        *this;
+    auto& [parts, firstPart, room, count, firstBefore, from, listed, usedCount, inOrder, hasMoved,
+           compared, moves, footprints, corners, unusedCorners, tight, grown, changed, isChanged,
+           outgrown] = *this;
     stream(tight, grown, changed);
     if (!stream.reads()) {
         return;
@@ -129,10 +129,14 @@ void PartBounds::visitState(StateStream& stream, const Bodies& bodies) {
     }
 }
 
-/// What finds the pairs affects time, not results: it starts fresh.
+/// The shape of the trees affects time, not results.
 void CandidatePairs::visitState(StateStream& stream, const Bodies& bodies) {
-    auto& [bounds, finder, still, movers, pairs] = *this;
+    auto& [bounds, trees, planes, pairs, nodePairs, leaves, found, sorter, anyArrived, work] =
+        *this;
     bounds.visitState(stream, bodies);
+    if (stream.reads()) {
+        buildTrees(bodies);
+    }
 }
 
 void ContactStore::visitState(StateStream& stream, const Bodies& bodies, const PartBounds& bounds) {
@@ -164,7 +168,7 @@ void ContactSet::visitState(StateStream& stream, const Bodies& bodies,
     if (!stream.reads()) {
         records.all(recordSource(bodies));
         applyChanges(bodies, tolerances);
-        if (candidates.compact()) {
+        if (candidates.compact(bodies)) {
             store.renewPlaces(candidates.bounds());
         }
         if (store.sort()) { // the bytes do not depend on slots, nor on indices of parts

@@ -88,7 +88,7 @@ void PartBounds::setConvex(std::size_t i, const ConvexShape& convex) {
     }
 }
 
-Octagon PartBounds::boundsAt(const Bodies& bodies, std::size_t i, const Transform& pose) const {
+Octagon PartBounds::at(const Bodies& bodies, std::size_t i, const Transform& pose) const {
     const Footprint& convex = footprints_[i];
     if (convex.count == 0) {
         return Octagon::of(boundsOf(bodies.convex(parts_[i].body, parts_[i].part), pose));
@@ -103,18 +103,17 @@ Octagon PartBounds::boundsAt(const Bodies& bodies, std::size_t i, const Transfor
 void PartBounds::renew(const Bodies& bodies, const Tolerances& tolerances) {
     number(bodies);
     for (std::size_t i = 0; i < parts_.size(); ++i) {
-        tight_[i] = boundsAt(bodies, i, bodies.pose[parts_[i].body]);
+        tight_[i] = at(bodies, i, bodies.pose[parts_[i].body]);
         grown_[i] = tight_[i].grown(tolerances.margin);
     }
     listAll();
 }
 
-/// Clears the data of removed parts at these indices.
+/// Clears the data of removed parts at these indices, which stay listed if they are.
 void PartBounds::clear(std::uint32_t first, std::uint32_t last) {
     for (std::uint32_t i = first; i < last; ++i) {
         unusedCorners_ += footprints_[i].count;
         footprints_[i] = {};
-        isChanged_[i] = 0;
     }
 }
 
@@ -131,14 +130,6 @@ void PartBounds::addRange(std::uint32_t body, std::uint32_t room) {
     isChanged_.resize(parts_.size(), 0);
 }
 
-/// Adds the range of a new body.
-void PartBounds::append(std::uint32_t parts) {
-    firstPart_.push_back(0);
-    room_.push_back(0);
-    count_.push_back(parts);
-    addRange(static_cast<std::uint32_t>(count_.size() - 1), parts);
-}
-
 /// Changes the number of parts of a body. If its range is too small, it gets one of twice the
 /// length at the end.
 void PartBounds::resize(std::uint32_t body, std::uint32_t parts) {
@@ -147,38 +138,25 @@ void PartBounds::resize(std::uint32_t body, std::uint32_t parts) {
     const bool fits = parts <= room;
     clear(fits ? first + parts : first, first + count_[body]);
     count_[body] = parts;
-    if (!fits) {
-        for (std::uint32_t i = first; i < first + room; ++i) {
-            parts_[i].part = kNoPart;
-        }
-        addRange(body, std::max(parts, std::min(2 * room, std::uint32_t{kMaxParts})));
+    if (fits) {
+        return;
+    }
+    for (std::uint32_t i = first; i < first + room; ++i) {
+        parts_[i].part = kNoPart;
+    }
+    addRange(body, std::max(parts, std::min(2 * room, std::uint32_t{kMaxParts})));
+    if (room > 0 || body + 1 < count_.size()) { // not that of a new body
         moves_ += room_[body];
         inOrder_ = false;
+        hasMoved_ = true;
     }
 }
 
-/// Updates the ranges of changed bodies, in order. True if the indices of other parts have changed.
-bool PartBounds::resizeAll(const Bodies& bodies, std::span<const std::uint32_t> changed) {
-    bool anyGone = false;
-    for (const std::uint32_t body : changed) {
-        const auto parts = static_cast<std::uint32_t>(
-            bodies.ids.aliveAt(body) ? bodies.geometry(body).parts.size() : 0);
-        while (count_.size() < body) { // none: new bodies are changed ones
-            append(0);
-        }
-        usedCount_ += parts;
-        if (body == count_.size()) {
-            append(parts);
-            continue;
-        }
-        usedCount_ -= count_[body];
-        anyGone = anyGone || parts < count_[body] || parts > room_[body];
-        resize(body, parts);
+bool PartBounds::dropUnused(const Bodies& bodies) {
+    if (unusedCorners_ > corners_.size() / 2) {
+        compactCorners();
     }
-    if (anyGone) {
-        std::erase_if(changed_, [&](std::uint32_t i) { return isChanged_[i] == 0; });
-    }
-    const std::size_t unused = parts_.size() - std::min(parts_.size(), usedCount_);
+    const std::size_t unused = parts_.size() - usedCount_;
     if (unused <= kFewUnused || unused <= usedCount_) {
         return false;
     }
@@ -265,33 +243,44 @@ void PartBounds::pick(std::vector<T>& list) const {
     list = std::move(next);
 }
 
-bool PartBounds::renew(const Bodies& bodies, const Tolerances& tolerances,
-                       std::span<const std::uint32_t> changed) {
-    const bool renumbered = resizeAll(bodies, changed);
-    for (const std::uint32_t body : changed) {
-        const std::uint32_t first = firstPart_[body];
-        for (std::uint32_t i = first; i < first + count_[body]; ++i) {
-            setConvex(i, bodies.convex(body, i - first));
-            tight_[i] = boundsAt(bodies, i, bodies.pose[body]);
-            grown_[i] = tight_[i].grown(tolerances.margin);
-            list(i, changed_);
-        }
+void PartBounds::renew(const Bodies& bodies, const Tolerances& tolerances, std::uint32_t body) {
+    const bool alive = body < bodies.size() && bodies.ids.aliveAt(body);
+    const auto parts =
+        alive ? static_cast<std::uint32_t>(bodies.geometry(body).parts.size()) : std::uint32_t{0};
+    if (body >= count_.size()) {
+        firstPart_.resize(body + std::size_t{1}, 0);
+        room_.resize(body + std::size_t{1}, 0);
+        count_.resize(body + std::size_t{1}, 0);
+    }
+    usedCount_ += parts;
+    usedCount_ -= count_[body];
+    resize(body, parts);
+    const std::uint32_t first = firstPart_[body];
+    for (std::uint32_t i = first; i < first + parts; ++i) {
+        setConvex(i, bodies.convex(body, i - first));
+        tight_[i] = at(bodies, i, bodies.pose[body]);
+        grown_[i] = tight_[i].grown(tolerances.margin);
+        list(i, changed_);
     }
     if (unusedCorners_ > corners_.size() / 2) {
-        compactCorners(bodies);
+        compactCorners();
     }
-    return renumbered;
 }
 
-void PartBounds::compactCorners(const Bodies& bodies) {
+/// Drops unused corners. Other bodies may have changed and not been renewed yet, so that their
+/// corners are taken from the list, not from the bodies.
+void PartBounds::compactCorners() {
     unusedCorners_ = 0;
-    corners_.clear();
+    std::vector<Vec2> kept;
+    kept.reserve(corners_.size());
     for (std::size_t i = 0; i < parts_.size(); ++i) {
-        footprints_[i] = {};
-        if (isUsed(i)) {
-            setConvex(i, bodies.convex(parts_[i].body, parts_[i].part));
-        }
+        Footprint& footprint = footprints_[i];
+        footprint.count = isUsed(i) ? footprint.count : 0;
+        const auto first = corners_.begin() + static_cast<std::ptrdiff_t>(footprint.first);
+        footprint.first = static_cast<std::uint32_t>(kept.size());
+        kept.insert(kept.end(), first, first + static_cast<std::ptrdiff_t>(footprint.count));
     }
+    corners_.swap(kept);
 }
 
 void PartBounds::listBody(std::uint32_t body) {
@@ -347,7 +336,7 @@ void PartBounds::coverPrediction(const Bodies& bodies, const Tolerances& toleran
         const Extent& extent = bodies.extent[body];
         const Vec2 ahead = dt * motion.velocity;
         const Real rotationReach = extent.reachOfTurn(dt * motion.angularVelocity);
-        tight_[i] = boundsAt(bodies, i, bodies.pose[body]);
+        tight_[i] = at(bodies, i, bodies.pose[body]);
         const Octagon needed =
             unite(tight_[i], tight_[i].moved(ahead)).grown(tolerances.margin + rotationReach);
         if (grown_[i].contains(needed) && !isFarLarger(grown_[i], needed, kMostExcess)) {
@@ -364,17 +353,14 @@ void PartBounds::coverDisplacements(const Bodies& bodies, const Tolerances& tole
     listOutgrown(bodies, team, [&](std::uint32_t body, std::size_t i) {
         const BodyVelocity& motion = bodies.motion[body];
         const Real rotationReach = bodies.extent[body].reachOfTurn(motion.deltaAngle);
-        const Real way =
-            std::max(std::abs(motion.deltaPosition.x), std::abs(motion.deltaPosition.y)) +
-            rotationReach;
-        if (way < tolerances.margin / 2) {
+        if (axialWay(motion, rotationReach) < tolerances.margin / 2) {
             return false; // the bounds are grown by the margin, at least
         }
         if (grown_[i].contains(tight_[i].moved(motion.deltaPosition).grown(rotationReach)) ||
             !isSound(motion, tolerances.unit())) {
             return false; // within the prediction, or about to be frozen
         }
-        const Octagon after = boundsAt(bodies, i, poseAfter(bodies.pose[body], motion));
+        const Octagon after = at(bodies, i, poseAfter(bodies.pose[body], motion));
         if (grown_[i].contains(after)) {
             return false;
         }

@@ -5,14 +5,21 @@
 
 #include "base/worker_team.hpp"
 #include "bodies/bodies.hpp"
-#include "broad/broad_phase.hpp"
+#include "broad/bounds_pair.hpp"
 #include "math/octagon.hpp"
 
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
+
+/// m; upper bound of the way of a body's points along one axis, in this step.
+inline Real axialWay(const BodyVelocity& motion, Real rotationReach) {
+    return std::max(std::abs(motion.deltaPosition.x), std::abs(motion.deltaPosition.y)) +
+           rotationReach;
+}
 
 /// Bounds of every part of every body: tight ones, and grown ones that stay valid until the next
 /// search of its pairs. Parts whose grown bounds have changed are listed.
@@ -52,8 +59,19 @@ public:
     /// Lists the bodies with parts, in order, and returns the number of visits. These are linear in
     /// the number of parts, however many bodies there once were.
     std::size_t listBodies(std::vector<std::uint32_t>& bodies) const;
-    /// Number of parts of a body.
-    std::uint32_t countOf(std::uint32_t body) const { return count_[body]; }
+    /// Index of the first part of a body, and the number of its parts. 0 for an unknown body.
+    std::uint32_t firstOf(std::uint32_t body) const {
+        return body < firstPart_.size() ? firstPart_[body] : 0;
+    }
+    std::uint32_t countOf(std::uint32_t body) const {
+        return body < count_.size() ? count_[body] : 0;
+    }
+    /// Number of bodies, with the removed ones.
+    std::uint32_t bodyCount() const { return static_cast<std::uint32_t>(count_.size()); }
+    /// True for a part of a plane, which has no bounds.
+    bool isPlane(std::size_t i) const { return isUsed(i) && footprints_[i].count == 0; }
+    /// Bounds of a part at another pose of its body.
+    Octagon at(const Bodies& bodies, std::size_t i, const Transform& pose) const;
     const Octagon& tight(std::size_t i) const { return tight_[i]; }
     std::span<const Octagon> grown() const { return grown_; }
     std::span<const std::uint32_t> changed() const { return changed_; }
@@ -63,16 +81,19 @@ public:
     void number(const Bodies& bodies);
     /// Numbers the parts, computes their bounds, and lists all parts.
     void renew(const Bodies& bodies, const Tolerances& tolerances);
-    /// The same if only these bodies have changed, in order: the bounds of the others stay. True if
-    /// the indices of other parts have changed, as they do once most of them are unused.
-    bool renew(const Bodies& bodies, const Tolerances& tolerances,
-               std::span<const std::uint32_t> changed);
-    /// Removes the unused indices and restores the order. True if that changed anything.
+    /// The same if only this body was added, removed or changed: the bounds of the others stay.
+    void renew(const Bodies& bodies, const Tolerances& tolerances, std::uint32_t body);
+    /// Removes the unused indices and restores the order if most are unused. True if the indices of
+    /// other parts have changed.
+    bool dropUnused();
+    /// The same however few are unused.
     bool compact();
+    /// True once after the indices of a body moved to the end.
+    bool takeMoved() { return std::exchange(hasMoved_, false); }
     /// Counts a step that compared as many contacts by rank. True: compact() costs less than more
     /// such steps.
     bool countStep(std::size_t contacts);
-    /// Present index of a part of an unchanged body, from its index before the last renew() or
+    /// Present index of a part of an unchanged body, from its index before the last dropUnused() or
     /// compact() that returned true.
     std::uint32_t indexNow(std::uint32_t before, std::uint32_t body) const {
         return before - firstBefore_[body] + firstPart_[body];
@@ -110,14 +131,11 @@ private:
     void setConvex(std::size_t i, const ConvexShape& convex);
     void clear(std::uint32_t first, std::uint32_t last);
     void addRange(std::uint32_t body, std::uint32_t room);
-    void append(std::uint32_t parts);
     void resize(std::uint32_t body, std::uint32_t parts);
-    bool resizeAll(const Bodies& bodies, std::span<const std::uint32_t> changed);
     void renumber();
     template <typename T>
     void pick(std::vector<T>& list) const;
-    void compactCorners(const Bodies& bodies);
-    Octagon boundsAt(const Bodies& bodies, std::size_t i, const Transform& pose) const;
+    void compactCorners();
     void list(std::size_t i, std::vector<std::uint32_t>& changed);
     template <typename Outgrow>
     void listOutgrown(const Bodies& bodies, WorkerTeam& team, Outgrow outgrow);
@@ -131,6 +149,7 @@ private:
     std::vector<std::uint32_t> bodies_;      // scratch: bodies with parts
     std::size_t usedCount_ = 0;
     bool inOrder_ = true;
+    bool hasMoved_ = false;
     std::uint64_t compared_ = 0; // contacts by rank, since the order was lost
     std::uint64_t moves_ = 0;
     std::vector<Footprint> footprints_;

@@ -6,7 +6,7 @@
 
 #include "base/state_stream.hpp"
 #include "bodies/body_checks.hpp"
-#include "broad/broad_phase.hpp"
+#include "broad/bounds_pair.hpp"
 #include "collide/manifold.hpp"
 
 #include <array>

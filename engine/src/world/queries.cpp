@@ -37,12 +37,12 @@ public:
           perWay_{1 / (to.x - from.x), 1 / (to.y - from.y)},
           reach_(reach + roundingOf(from, to) * Vec2{1, 1}) {}
 
-    /// BoundsTree::kMissed if that is beyond `limit`.
+    /// BoundsTrees::kMissed if that is beyond `limit`.
     Real operator()(const Aabb& box, Real limit) const {
         const Range x = along(box.lower.x - reach_.x, box.upper.x + reach_.x, from_.x, perWay_.x);
         const Range y = along(box.lower.y - reach_.y, box.upper.y + reach_.y, from_.y, perWay_.y);
         const Real first = std::max({x.first, y.first, Real(0)});
-        return first <= std::min({x.last, y.last, limit}) ? first : BoundsTree::kMissed;
+        return first <= std::min({x.last, y.last, limit}) ? first : BoundsTrees::kMissed;
     }
 
 private:
@@ -69,7 +69,7 @@ class QueryScope {
 public:
     QueryScope(const World& world, CollisionFilter which, std::span<const BodyId> except)
         : bodies_(world.impl().bodyData()),
-          view_(world.impl().queryView()),
+          parts_(world.impl().partData()),
           which_(which),
           except_(bodies_, except) {
         refuse(checkFilter(which));
@@ -81,34 +81,39 @@ public:
     }
     const Transform& pose(std::uint32_t body) const { return bodies_.pose[body]; }
 
-    /// Calls visit(body, part) for parts whose bounds have entry(box) < BoundsTree::kMissed, in
+    /// Calls visit(body, part) for parts whose bounds have entry(box) < BoundsTrees::kMissed, in
     /// unspecified order; for planes always.
     template <typename Entry, typename Visit>
     void forParts(Entry entry, Visit visit) const {
-        const auto accepted = [&](std::uint32_t body, std::uint32_t part) {
-            if (isAsked(body)) {
-                visit(body, part);
-            }
-        };
-        for (const QueryTree::PlanePart& plane : view_.planes) {
-            accepted(plane.body, plane.part);
-        }
-        view_.tree.search(entry, accepted);
+        const auto accepted = ifAsked(visit);
+        std::for_each(parts_.planes().begin(), parts_.planes().end(), accepted);
+        parts_.trees().search(entry, accepted);
     }
+    /// The same for parts whose bounds overlap the box.
     template <typename Visit>
     void forPartsIn(const Aabb& box, Visit visit) const {
-        forParts([&](const Aabb& other) { return overlap(box, other) ? 0 : BoundsTree::kMissed; },
-                 visit);
+        const auto accepted = ifAsked(visit);
+        std::for_each(parts_.planes().begin(), parts_.planes().end(), accepted);
+        parts_.trees().overlaps(box, accepted);
     }
 
 private:
+    template <typename Visit>
+    auto ifAsked(Visit& visit) const {
+        return [&](std::uint32_t i) {
+            const PartBounds::Part& part = parts_.bounds().part(i);
+            if (isAsked(part.body)) {
+                visit(part.body, part.part);
+            }
+        };
+    }
     bool isAsked(std::uint32_t body) const {
         const Flags flags = bodies_.filter[body].flags;
         return (flags & kDisabled) == 0 && accepts(which_, flags) && !except_.contains(body);
     }
 
     const Bodies& bodies_;
-    QueryTree::View view_;
+    const CandidatePairs& parts_;
     CollisionFilter which_;
     mutable ExceptList except_;
 };
@@ -243,7 +248,7 @@ void visitRay(const World& world, Vec2 from, Vec2 to,
                    [&](std::uint32_t body, std::uint32_t part) {
                        const Aabb box = boundsOf(scope.convex(body, part), scope.pose(body));
                        const Real entry = path(box, 1);
-                       if (entry < BoundsTree::kMissed) {
+                       if (entry < BoundsTrees::kMissed) {
                            near.push_back({entry, body, part});
                        }
                    });
@@ -345,7 +350,7 @@ std::optional<QueryPoint> closestPoint(const World& world, Vec2 point, Real maxD
         const Vec2 near{std::clamp(point.x, box.lower.x, box.upper.x),
                         std::clamp(point.y, box.lower.y, box.upper.y)};
         const Real least = length(near - point) - rounding;
-        return least <= (best ? best->distance : maxDistance) ? least : BoundsTree::kMissed;
+        return least <= (best ? best->distance : maxDistance) ? least : BoundsTrees::kMissed;
     };
     scope.forParts(entry, [&](std::uint32_t body, std::uint32_t part) {
         const ClosestPoints near = distance(scope.convex(body, part), scope.pose(body), point);

@@ -78,19 +78,18 @@ std::vector<std::uint32_t> Region::mayCross(const Bodies& bodies) const {
 }
 
 std::vector<std::uint32_t> Region::mayCross(const Aabb& before, const Bodies& bodies,
-                                            const QueryTree::View& view) const {
+                                            const CandidatePairs& parts) const {
+    const PartBounds& bounds = parts.bounds();
     std::vector<std::uint32_t> found = bodies.awake;
-    for (const QueryTree::PlanePart& plane : view.planes) {
-        found.push_back(plane.body);
-    }
-    const auto search = [&](const Aabb& strip) {
-        // The parts of a body may leave a gap, which is within its bounds.
-        for (const BoundsTree* tree : {&view.tree, &view.compounds}) {
-            tree->search(
-                [&](const Aabb& box) { return overlap(strip, box) ? 0 : BoundsTree::kMissed; },
-                [&](std::uint32_t body, std::uint32_t) { found.push_back(body); });
+    const auto add = [&](std::uint32_t i) { found.push_back(bounds.part(i).body); };
+    std::for_each(parts.planes().begin(), parts.planes().end(), add);
+    // The parts of a body may leave a gap, which is within its bounds.
+    for (std::uint32_t body = 0; body < bounds.bodyCount(); ++body) {
+        if (bounds.countOf(body) > 1) {
+            found.push_back(body);
         }
-    };
+    }
+    const auto search = [&](const Aabb& strip) { parts.trees().overlaps(strip, add); };
     forEachStrip(before, *box_, search);
     forEachStrip(*box_, before, search);
     std::sort(found.begin(), found.end()); // total order: equal indices are identical
@@ -201,7 +200,7 @@ void Region::restoreOutside(Bodies& bodies) {
 }
 
 void Region::visitState(StateStream& stream, const Bodies& bodies) {
-    auto& [box, outsideVelocities, parked, unparked, scans] = *this;
+    auto& [box, outsideVelocities, parked, unparked] = *this;
     stream(box);
     require(!box || (box->lower.x <= box->upper.x && box->lower.y <= box->upper.y),
             "the region has its corners swapped");

@@ -4,7 +4,6 @@
 #include "contacts/contact_set.hpp"
 #include "joints/joint_set.hpp"
 #include "world/parked_contacts.hpp"
-#include "world/query_tree.hpp"
 
 #include <optional>
 #include <utility>
@@ -29,15 +28,9 @@ public:
     /// The bodies that a change of the region from `before` may concern, in order: those whose
     /// bounds may meet only one of both, and the awake ones.
     std::vector<std::uint32_t> mayCross(const Aabb& before, const Bodies& bodies,
-                                        const QueryTree::View& view) const;
+                                        const CandidatePairs& parts) const;
     /// All bodies.
     std::vector<std::uint32_t> mayCross(const Bodies& bodies) const;
-    /// Counts a search through all bodies. True after so many that the tree of queries pays.
-    bool countScan() {
-        constexpr std::uint32_t kManyScans = 16;
-        scans_ = scans_ < kManyScans ? scans_ + 1 : 0;
-        return scans_ == 0;
-    }
 
     /// Updates kOutside after a change of the body or the region. True if the body has just left
     /// the region.
@@ -77,7 +70,6 @@ private:
     std::vector<std::pair<std::uint32_t, BodyVelocity>> outsideVelocities_;
     ParkedContacts parked_;
     std::vector<StoredContact> unparked_; // scratch: a step allocates nothing
-    std::uint32_t scans_ = 0;             // see countScan(); no state, as the tree is none
 };
 
 } // namespace KODO_PRECISION

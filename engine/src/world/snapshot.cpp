@@ -42,7 +42,7 @@ void header(StateStream& stream) {
 void WorldImpl::visitState(StateStream& stream, OwnFields ownFields) {
     auto& [guard, settings, tolerances, stepCount, count, roomFor, bodies, flagBlocks, fields,
            contacts, impacts, softSolver, propagation, contactVisits, changeVisits, continuous,
-           sleep, joints, broken, frozen, region, queries, lastGeometry] = *this;
+           sleep, joints, broken, frozen, region, lastGeometry] = *this;
     // Left out is what the next step computes before use: solvers, continuous collision, caches.
     kodo::visitState(stream, settings);
     kodo::visitState(stream, tolerances);

@@ -90,8 +90,7 @@ std::size_t WorldImpl::weld(BodyId into, BodyId part) {
     notePairChanges();
     weldBodies(bodies_, into.index, part.index);
     placeInRegion(into.index);
-    contacts_.bodyChanged(into.index);
-    queries_.bodyChanged(into.index);
+    contacts_.bodyChanged(bodies_, tolerances_, into.index);
     remove(part);
     return firstPart;
 }
@@ -114,8 +113,7 @@ std::size_t WorldImpl::weld(BodyId into, const Primitive& shape, const Material&
     }
     setGeometryInMotion(bodies_, into.index, makeGeometry(std::move(list)));
     placeInRegion(into.index);
-    contacts_.bodyChanged(into.index);
-    queries_.bodyChanged(into.index);
+    contacts_.bodyChanged(bodies_, tolerances_, into.index);
     return bodies_.geometry(into.index).parts.size() - 1;
 }
 
@@ -148,9 +146,8 @@ BodyId WorldImpl::unweld(BodyId body, std::size_t part, std::optional<Flags> fla
     const BodyId freed = unweldPart(bodies_, body.index, geometry, made);
     placeInRegion(body.index);
     region_.update(bodies_, freed.index);
-    contacts_.bodyChanged(freed.index);
-    queries_.bodyChanged(body.index);
-    queries_.bodyChanged(freed.index);
+    contacts_.bodyChanged(bodies_, tolerances_, body.index);
+    contacts_.bodyChanged(bodies_, tolerances_, freed.index);
     flagBlocks_.note(freed.index, bodies_.filter[freed.index].flags);
     ++count_;
     return freed;

@@ -188,14 +188,5 @@ std::uint64_t World::stateHash() const {
 StepStats stepStats(const World& world) {
     return world.impl().stats();
 }
-void setPairSearch(World& world, std::optional<PairSearch> only) {
-    if (only && *only > PairSearch::SweepAndPrune) {
-        throw BadDefinition({"only", "must be a way of PairSearch, but is " +
-                                         std::to_string(static_cast<int>(*only))});
-    }
-    world.impl().guard().requireChangeable("setPairSearch");
-    world.impl().setPairSearch(only);
-}
-
 } // namespace KODO_PRECISION
 } // namespace kodo

@@ -103,8 +103,7 @@ BodyId WorldImpl::add(const BodyDef& def) {
 
 void WorldImpl::bodyAdded(std::uint32_t body) {
     region_.update(bodies_, body);
-    contacts_.bodyChanged(body);
-    queries_.bodyChanged(body);
+    contacts_.bodyChanged(bodies_, tolerances_, body);
     flagBlocks_.note(body, bodies_.filter[body].flags);
     ++count_;
 }
@@ -131,6 +130,9 @@ void WorldImpl::updateAwake() {
     }
     const bool changed = refreshAwake(bodies_);
     joints_.findBusy(bodies_, changed);
+    if (changed) {
+        contacts_.candidates().moveToTrees(bodies_, bodies_.changes.toggled);
+    }
     if (changed && (sleep_.anyAsleep() || region_.isActive())) {
         for (const std::uint32_t body : bodies_.changes.toggled) {
             contacts_.activityChanged(body);
@@ -149,9 +151,9 @@ void WorldImpl::setRegion(std::optional<Aabb> region) {
     }
     region_.setBox(region);
     const bool isMove = before && region;
-    std::vector<std::uint32_t> moved = isMove && (queries_.isBuilt() || region_.countScan())
-                                           ? region_.mayCross(*before, bodies_, queryView())
-                                           : region_.mayCross(bodies_);
+    std::vector<std::uint32_t> moved =
+        isMove ? region_.mayCross(*before, bodies_, contacts_.candidates())
+               : region_.mayCross(bodies_);
     changeVisits_ += moved.size();
     region_.moveInOut(moved, bodies_, contacts_);
     sleep_.wakeOn(bodies_, contacts_, moved);
@@ -172,8 +174,7 @@ void WorldImpl::wakeNeighbours(std::uint32_t body) {
 void WorldImpl::bodyChanged(std::uint32_t body) {
     wakeNeighbours(body);
     placeInRegion(body);
-    contacts_.bodyChanged(body);
-    queries_.bodyChanged(body);
+    contacts_.bodyChanged(bodies_, tolerances_, body);
     bodies_.teleported(body);
     bodies_.noteArrival(body);
     bodies_.noteActivity(body);
@@ -233,7 +234,7 @@ void WorldImpl::remove(BodyId id) {
     joints_.dropBody(id.index);
     notePairChanges();
     removeBody(bodies_, id.index);
-    queries_.bodyChanged(id.index);
+    contacts_.bodyChanged(bodies_, tolerances_, id.index);
     --count_;
 }
 

@@ -8,7 +8,6 @@
 #include "bodies/flag_blocks.hpp"
 #include "contacts/contact_set.hpp"
 #include "world/change_guard.hpp"
-#include "world/query_tree.hpp"
 #include "world/region.hpp"
 
 #include <optional>
@@ -74,12 +73,9 @@ public:
 
     StepStats stats() const {
         return {bodies_.awake.size(), contactVisits_, joints_.busyCount(),
-                contacts_.candidates().finder().work(),
+                contacts_.candidates().work(),
                 changeVisits_ + contacts_.candidates().bounds().moves() +
                     region_.parked().visits()};
-    }
-    void setPairSearch(std::optional<PairSearch> only) {
-        contacts_.candidates().finder().use(only);
     }
 
     std::uint64_t stateHash() const;
@@ -88,7 +84,7 @@ public:
 
     // For queries.
     const ChangeGuard& guard() const { return guard_; }
-    QueryTree::View queryView() const { return queries_.view(bodies_, tolerances_); }
+    const CandidatePairs& partData() const { return contacts_.candidates(); }
 
 private:
     friend class BodyRef;
@@ -128,7 +124,6 @@ private:
     std::vector<BrokenJoint> broken_;
     std::vector<BodyId> frozen_;
     Region region_;
-    mutable QueryTree queries_;                        // a cache: updated by queries
     std::shared_ptr<const BodyGeometry> lastGeometry_; // equal bodies are usually added in sequence
 };
 

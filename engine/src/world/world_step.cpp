@@ -27,7 +27,6 @@ WorldStep::WorldStep(WorldImpl& world, Real dt, Executor* executor)
       joints_(world.joints_),
       sleep_(world.sleep_),
       region_(world.region_),
-      queries_(world.queries_),
       impacts_(world.impacts_),
       softSolver_(world.softSolver_),
       propagation_(world.propagation_),
@@ -113,11 +112,19 @@ void WorldStep::wakeIslands(bool arrivals) {
     }
 }
 
-/// Computes the accelerations.
-void WorldStep::gatherForces() {
+/// Brings the list of awake bodies up to date. True if any may have toggled.
+bool WorldStep::updateAwake() {
     const bool toggled = refreshAwake(bodies_);
     joints_.findBusy(bodies_, toggled);
     if (toggled) {
+        contacts_.candidates().moveToTrees(bodies_, bodies_.changes.toggled);
+    }
+    return toggled;
+}
+
+/// Computes the accelerations.
+void WorldStep::gatherForces() {
+    if (updateAwake()) {
         contacts_.addArrivals(bodies_.changes.toggled); // kinematic bodies that stopped
     }
     frozen_.clear();
@@ -140,7 +147,7 @@ void WorldStep::gatherForces() {
 void WorldStep::runContinuous() {
     contacts_.coverDisplacements(bodies_, joints_.lists(), tolerances_, team_);
     if (canWake() && sleep_.wakeRunOver(bodies_, contacts_, tolerances_)) {
-        joints_.findBusy(bodies_, refreshAwake(bodies_));
+        updateAwake();
     }
     if (!contacts_.contacts().empty()) {
         continuous_.run(bodies_, contacts_, joints_, {settings_, tolerances_, dt_}, team_);
@@ -158,7 +165,7 @@ void WorldStep::finishMoves() {
         freezeUnsoundMotion();
     }
     forAwake(movePoses);
-    queries_.bodiesMoved(bodies_.awake);
+    contacts_.candidates().coverPoses(bodies_, tolerances_);
 }
 
 void WorldStep::forAwake(void (*work)(Bodies&, std::span<const std::uint32_t>)) {

@@ -18,6 +18,7 @@ private:
     void forAwake(void (*work)(Bodies&, std::span<const std::uint32_t>));
     void makeRoom();
     void wakeIslands(bool arrivals);
+    bool updateAwake();
     void gatherForces();
     void solve();
     void runContinuous();
@@ -38,7 +39,6 @@ private:
     JointSet& joints_;
     SleepSystem& sleep_;
     Region& region_;
-    QueryTree& queries_;
     ImpactSolver& impacts_;
     SoftSolver& softSolver_;
     Propagation& propagation_;

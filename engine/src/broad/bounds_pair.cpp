@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "broad/broad_phase.hpp"
+#include "broad/bounds_pair.hpp"
 
 #include "base/vector_reuse.hpp"
 
