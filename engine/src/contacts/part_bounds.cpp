@@ -152,7 +152,7 @@ void PartBounds::resize(std::uint32_t body, std::uint32_t parts) {
     }
 }
 
-bool PartBounds::dropUnused(const Bodies& bodies) {
+bool PartBounds::dropUnused() {
     if (unusedCorners_ > corners_.size() / 2) {
         compactCorners();
     }
@@ -261,9 +261,6 @@ void PartBounds::renew(const Bodies& bodies, const Tolerances& tolerances, std::
         tight_[i] = at(bodies, i, bodies.pose[body]);
         grown_[i] = tight_[i].grown(tolerances.margin);
         list(i, changed_);
-    }
-    if (unusedCorners_ > corners_.size() / 2) {
-        compactCorners();
     }
 }
 
