@@ -79,6 +79,12 @@ ShapeCase caseOf(const kodo::Plane& plane) {
 ShapeCase caseOf(const kodo::Heightmap& map) {
     return {"heightmap", map, {{-4, 0}, {-2, 1}, {2, 1}}, {{-2, 0}, {0, 3}}};
 }
+ShapeCase caseOf(const kodo::Chain& chain) {
+    return {"chain", chain, {{-2, 1}, {2, 1}}, {{0, 0}, {0, 3}}};
+}
+ShapeCase caseOf(const kodo::Capsule& capsule) {
+    return {"capsule", capsule, {{0, 0.9f}, {3.8f, 0}, {-3.8f, 0}}, {{0, 1.3f}, {3.8f, 0.8f}}};
+}
 
 std::vector<ShapeCase> shapeCases() {
     const kodo::Compound pair{{kodo::Box{2, 2, {-3, 0}}, kodo::Circle{1, {3, 0}}}};
@@ -90,8 +96,10 @@ std::vector<ShapeCase> shapeCases() {
         kodo::Point{{1, 2}},
         kodo::Segment{.from = {-4, 1}, .to = {4, 1}, .oneSided = true},
         kodo::Plane{},
-        kodo::Heightmap{.origin = {-4, 0}, .spacing = 4, .heights = {0, 2, 0}}};
-    static_assert(std::variant_size_v<kodo::Shape> == 8, "a kind of shape is left out");
+        kodo::Heightmap{.origin = {-4, 0}, .spacing = 4, .heights = {0, 2, 0}},
+        kodo::Chain{.points = {{-4, 0}, {0, 2}, {4, 0}}},
+        kodo::Capsule{{-3, 0}, {3, 0}, 1}};
+    static_assert(std::variant_size_v<kodo::Shape> == 10, "a kind of shape is left out");
     std::vector<ShapeCase> cases;
     for (const kodo::Shape& shape : shapes) {
         cases.push_back(std::visit([](const auto& each) { return caseOf(each); }, shape));

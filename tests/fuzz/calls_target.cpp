@@ -61,7 +61,7 @@ private:
 
     Primitive primitive() {
         const Real size = feed_.positive();
-        switch (feed_.below(6)) {
+        switch (feed_.below(9)) {
         case 0:
             return Circle{size};
         case 1:
@@ -72,6 +72,12 @@ private:
             return Segment{{-size, 0}, {size, 0}};
         case 4:
             return Point{};
+        case 5:
+            return Capsule{{-size, 0}, feed_.point(), feed_.positive()};
+        case 6:
+            return Box{size, size, {}, {}, feed_.number()};
+        case 7:
+            return Segment{{-size, 0}, {size, 0}, false, feed_.positive()};
         default:
             return Box{size, feed_.number()};
         }

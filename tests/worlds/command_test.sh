@@ -27,7 +27,7 @@ over=18446744073709551616
 
 expect 0 '^  sleep ' "$program" --help
 expect 0 'of 1 worlds, 0 findings' "$program" --count 1 --seed 1
-expect 0 '^world 1' "$program" --seed 18446744073709551615 --print
+expect 0 '^world 2' "$program" --seed 18446744073709551615 --print
 expect 2 'folder is a folder' "$program" --replay folder
 expect 2 'nowhere cannot be read' "$program" --replay nowhere
 for file in text half; do

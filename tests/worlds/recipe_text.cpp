@@ -10,7 +10,7 @@ namespace {
 
 using namespace kodo;
 
-constexpr int kFormat = 1;
+constexpr int kFormat = 2; // 1: shapes without a radius
 
 /// Writes and reads the same fields, so that both directions agree.
 class Writer {
@@ -25,6 +25,7 @@ public:
     void one(Integer& value) { out_ << +value << ' '; }
     void line() { out_ << '\n'; }
     std::string text() const { return out_.str(); }
+    int format = kFormat;
 
 private:
     std::ostringstream out_;
@@ -33,6 +34,7 @@ private:
 class Reader {
 public:
     explicit Reader(const std::string& text) : in_(text) {}
+    int format = kFormat;
     static constexpr bool reads() { return true; }
     bool ok() const { return !in_.fail(); }
     void word(const char* word) {
@@ -100,6 +102,19 @@ void visit(Stream& s, Circle& circle) {
     s.one(circle.radius);
     visit(s, circle.center);
 }
+/// The radius around a shape, which files of format 1 do not have.
+template <typename Stream>
+void visitRadius(Stream& s, Real& radius) {
+    if (s.format > 1) {
+        s.one(radius);
+    }
+}
+template <typename Stream>
+void visit(Stream& s, Capsule& capsule) {
+    visit(s, capsule.from);
+    visit(s, capsule.to);
+    s.one(capsule.radius);
+}
 template <typename Stream>
 void visit(Stream& s, Box& box) {
     s.one(box.width);
@@ -107,6 +122,7 @@ void visit(Stream& s, Box& box) {
     visit(s, box.center);
     s.one(box.rotation.c);
     s.one(box.rotation.s);
+    visitRadius(s, box.radius);
 }
 template <typename Stream>
 void visit(Stream& s, Polygon& polygon) {
@@ -114,6 +130,7 @@ void visit(Stream& s, Polygon& polygon) {
     for (Vec2& corner : polygon.corners) {
         visit(s, corner);
     }
+    visitRadius(s, polygon.radius);
 }
 template <typename Stream>
 void visit(Stream& s, Point& point) {
@@ -124,6 +141,7 @@ void visit(Stream& s, Segment& segment) {
     visit(s, segment.from);
     visit(s, segment.to);
     s.one(segment.oneSided);
+    visitRadius(s, segment.radius);
 }
 template <typename Stream>
 void visit(Stream& s, Plane& plane) {
@@ -314,9 +332,8 @@ void visit(Stream& s, PropagationSettings& propagation) {
 
 template <typename Stream>
 void visitWorld(Stream& s, Recipe& recipe) {
-    int format = kFormat;
     s.word("world");
-    s.one(format);
+    s.one(s.format);
     s.line();
     s.word("gravity");
     visit(s, recipe.world.gravity);

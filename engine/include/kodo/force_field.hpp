@@ -161,7 +161,8 @@ struct Submerged {
 };
 
 /// The part of a convex shape at pose t with dot(up, x - surface) < 0, exactly. `up` is a unit
-/// vector. A polygon is clipped. A circle of radius r with its centre c below the line leaves
+/// vector. A polygon is clipped, and the arcs of its round corners too. A circle of radius r with
+/// its centre c below the line leaves
 ///
 ///   A = r^2 (p - sin p cos p),  centroid 2 (r sin p)^3 / (3 A) below the centre,  cos p = -c / r
 KODO_API Submerged submerged(const ConvexShape& convex, const Transform& t, Vec2 surface, Vec2 up);

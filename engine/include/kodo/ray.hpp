@@ -134,23 +134,57 @@ std::optional<BasicRayHit<T>> rayCast(std::span<const BasicVec2<T>> corners,
     return clip.hit();
 }
 
+/// The earlier of two hits; ties keep the first.
+template <std::floating_point T>
+std::optional<BasicRayHit<T>> earlierOf(const std::optional<BasicRayHit<T>>& first,
+                                        const std::optional<BasicRayHit<T>>& second) {
+    return second && (!first || second->fraction < first->fraction) ? second : first;
+}
+
+/// Ray against a convex outline with a radius > 0, from outside of it: the edges, moved outwards,
+/// and a circle around each corner.
+template <std::floating_point T>
+std::optional<BasicRayHit<T>> rayCastOutline(std::span<const BasicVec2<T>> corners, T radius,
+                                             const BasicRay<T>& ray) {
+    std::optional<BasicRayHit<T>> best;
+    BasicVec2<T> from = corners.back();
+    for (const BasicVec2<T> to : corners) {
+        const BasicVec2<T> out = -radius * perp(normalize(to - from));
+        best = earlierOf(best, rayCast(BasicSegment<T>{to + out, from + out, true, {}}, ray));
+        best = earlierOf(best, rayCast(BasicCircle<T>{radius, to}, ray));
+        from = to;
+    }
+    return best;
+}
+
+/// Ray against a shape with a radius > 0 around its core.
+template <template <typename> typename Shape, std::floating_point T>
+std::optional<BasicRayHit<T>> rayCastRounded(const Shape<T>& shape, const BasicRay<T>& ray) {
+    const auto core = coreOf(shape);
+    const std::span<const BasicVec2<T>> corners(core.corners);
+    return contains(corners, core.radius, ray.from) ? BasicRayHit<T>{}
+                                                    : rayCastOutline(corners, core.radius, ray);
+}
+
+/// Ray against capsule.
+template <std::floating_point T>
+std::optional<BasicRayHit<T>> rayCast(const BasicCapsule<T>& capsule, const BasicRay<T>& ray) {
+    return rayCastRounded(capsule, ray);
+}
+
 /// Ray against a convex polygon.
 template <std::floating_point T>
 std::optional<BasicRayHit<T>> rayCast(const BasicPolygon<T>& polygon, const BasicRay<T>& ray) {
-    return rayCast(std::span<const BasicVec2<T>>(polygon.corners), ray);
+    return polygon.radius > 0 ? rayCastRounded(polygon, ray)
+                              : rayCast(std::span<const BasicVec2<T>>(polygon.corners), ray);
 }
 
 /// Ray against box.
 template <std::floating_point T>
 std::optional<BasicRayHit<T>> rayCast(const BasicBox<T>& box, const BasicRay<T>& ray) {
-    const BasicVec2<T> from = unrotate(box.rotation, ray.from - box.center);
-    const BasicVec2<T> way = unrotate(box.rotation, ray.way());
-    BasicRayClip<T> clip;
-    clip.cut(from.x - box.width / 2, way.x, box.rotation.xAxis());
-    clip.cut(-from.x - box.width / 2, -way.x, -box.rotation.xAxis());
-    clip.cut(from.y - box.height / 2, way.y, box.rotation.yAxis());
-    clip.cut(-from.y - box.height / 2, -way.y, -box.rotation.yAxis());
-    return clip.hit();
+    const auto core = coreOf(box);
+    return box.radius > 0 ? rayCastRounded(box, ray)
+                          : rayCast(std::span<const BasicVec2<T>>(core.corners), ray);
 }
 
 /// Ray against bounding box.
@@ -163,9 +197,13 @@ std::optional<BasicRayHit<T>> rayCast(const BasicAabb<T>& aabb, const BasicRay<T
 ///
 ///   fraction of the ray (g x e) / (d x e),   of the segment (g x d) / (d x e)
 ///
-/// A one-sided segment is hit from its front alone, and not by a ray along it.
+/// A one-sided segment is hit from its front alone, and not by a ray along it. One with a radius is
+/// a capsule.
 template <std::floating_point T>
 std::optional<BasicRayHit<T>> rayCast(const BasicSegment<T>& segment, const BasicRay<T>& ray) {
+    if (segment.radius > 0) {
+        return rayCastRounded(segment, ray);
+    }
     const BasicVec2<T> along = segment.to - segment.from;
     const BasicVec2<T> d = ray.way();
     const BasicVec2<T> gap = segment.from - ray.from;

@@ -18,6 +18,9 @@ inline namespace KODO_PRECISION {
 
 // Shapes of bodies: plain values in the frame of the body (m). World::add() checks them; check()
 // gives the same answer before.
+//
+// A `radius` rounds a box, polygon or segment: the shape is then all points within the radius of
+// it. It adds to the outside: a box with a radius is `width` + 2 `radius` wide.
 
 /// Largest length and coordinate of a shape (m), for any length unit, so that no product overflows.
 /// A World also refuses lengths above kMaxCoordinate times its length unit.
@@ -31,13 +34,24 @@ struct BasicCircle {
     friend bool operator==(const BasicCircle&, const BasicCircle&) = default;
 };
 
+/// A solid disc that is drawn along a line: all points within `radius` of it. One of length 0 is a
+/// disc.
+template <std::floating_point T>
+struct BasicCapsule {
+    BasicVec2<T> from{}; // m, centre of one end
+    BasicVec2<T> to{};   // m, centre of the other
+    T radius{};          // m, > 0
+    friend bool operator==(const BasicCapsule&, const BasicCapsule&) = default;
+};
+
 /// A solid rectangle with its full width and height. The Obb of the thesis (3.1.3).
 template <std::floating_point T>
 struct BasicBox {
-    T width{};              // m, > 0
-    T height{};             // m, > 0
+    T width{};              // m, > 0; without the radius
+    T height{};             // m, > 0; without the radius
     BasicVec2<T> center{};  // m
     BasicRot<T> rotation{}; // of the width axis, against x
+    T radius{};             // m, >= 0, around the rectangle
     friend bool operator==(const BasicBox&, const BasicBox&) = default;
 };
 
@@ -45,6 +59,7 @@ struct BasicBox {
 template <std::floating_point T>
 struct BasicPolygon {
     std::vector<BasicVec2<T>> corners{}; // m, counter-clockwise, 3 to kMaxCorners
+    T radius{};                          // m, >= 0, around the outline of the corners
     friend bool operator==(const BasicPolygon&, const BasicPolygon&) = default;
 };
 /// Largest number of corners of a polygon.
@@ -60,8 +75,11 @@ struct BasicPoint {
     friend bool operator==(const BasicPoint&, const BasicPoint&) = default;
 };
 
-/// A line segment without thickness. The Line of the thesis (3.1.4). The number given as density is
-/// its mass per length (kg/m).
+/// A line segment. The Line of the thesis (3.1.4). The number given as density is its mass per
+/// length (kg/m).
+///
+/// A radius makes it a thick line with round ends, as solid as a Capsule: it then has an area, and
+/// its density is in kg/m^2, as for all shapes with an area. Only a two-sided segment has one.
 ///
 /// A one-sided segment collides only with bodies that come from its front: the left side as seen
 /// from `from` towards `to`. Bodies from behind and from beyond an end pass.
@@ -75,6 +93,7 @@ struct BasicSegment {
     BasicVec2<T> from{}; // m
     BasicVec2<T> to{};   // m
     bool oneSided = false;
+    T radius{}; // m, >= 0; two-sided only
     friend bool operator==(const BasicSegment&, const BasicSegment&) = default;
 };
 
@@ -114,6 +133,7 @@ struct BasicChain {
 };
 
 using Circle = BasicCircle<Real>;
+using Capsule = BasicCapsule<Real>;
 using Box = BasicBox<Real>;
 using Polygon = BasicPolygon<Real>;
 using Point = BasicPoint<Real>;
@@ -123,7 +143,7 @@ using Heightmap = BasicHeightmap<Real>;
 using Chain = BasicChain<Real>;
 
 /// A convex shape: what one part of a body is.
-using Primitive = std::variant<Circle, Box, Polygon, Point, Segment, Plane>;
+using Primitive = std::variant<Circle, Box, Polygon, Point, Segment, Plane, Capsule>;
 
 /// Several primitives as one rigid body, for shapes that are not convex. Where parts overlap, their
 /// masses add.
@@ -135,7 +155,8 @@ struct Compound {
 inline constexpr std::size_t kMaxParts = 65535;
 
 /// The shape of a body.
-using Shape = std::variant<Circle, Box, Polygon, Compound, Point, Segment, Plane, Heightmap, Chain>;
+using Shape =
+    std::variant<Circle, Box, Polygon, Compound, Point, Segment, Plane, Heightmap, Chain, Capsule>;
 
 /// The reason why World::add() would refuse a shape. Fields read "radius", "corners[3]",
 /// "parts[1].width".
@@ -217,13 +238,14 @@ private:
 /// Kinds of convex shapes.
 enum class ConvexKind : std::uint8_t {
     Round, // circle or particle: one vertex and a radius >= 0
-    Sided, // box or polygon: at least three vertices
-    Line,  // segment: two vertices
+    Sided, // box, polygon, capsule or thick segment: two vertices or more, two with a radius > 0
+    Line,  // segment without thickness: two vertices
     Half,  // plane: one vertex on the surface
 };
 
-/// The form in which the engine stores each primitive: vertices in a local frame, with a `radius`
-/// around them. A circle is one vertex with a radius; boxes and polygons have radius 0.
+/// The form in which the engine stores each primitive: a core, the hull of vertices in a local
+/// frame, and all points within `radius` of it. A circle is one vertex with a radius, a capsule
+/// two.
 ///
 /// Vertices are counter-clockwise. Edge i goes from vertex i to vertex i + 1, and normals[i] is its
 /// outward unit normal. A segment has two edges: normals[0] on the right and normals[1] on the left
@@ -237,7 +259,7 @@ struct ConvexShape {
     Real radius = 0;         // m
     Real boundingRadius = 0; // m; largest distance of a point from the origin of the frame
     Real coreRadius = 0;     // m; of a disc that fits inside, about `middle`: half the thickness
-    Vec2 middle;             // m; centroid
+    Vec2 middle;             // m; centroid of the core
     // Of a segment linked with others of its body, see BasicSegment:
     Vec2 before; // unit; direction of the segment that ends at vertex 0; zero: none
     Vec2 after;  // unit; direction of the segment that starts at vertex 1; zero: none

@@ -119,6 +119,8 @@ public:
     void write(const Values&... values) {
         (*this)(const_cast<Values&>(values)...);
     }
+    /// Takes back the last bytes that were written.
+    void drop(std::size_t bytes) { size_ -= bytes; }
     /// A list whose elements visit(element) writes or reads.
     template <typename Value, typename Visit>
     void list(std::vector<Value>& values, Visit visit) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <kodo/mass.hpp>
+
 #include "bodies/field_checks.hpp"
 
 #include <algorithm>
@@ -40,6 +42,17 @@ public:
         moment_ += twice * (last_ + arm);
         last_ = arm;
     }
+    /// The part of a circle between its chord and its arc from u to v (unit, counter-clockwise, at
+    /// most half a turn), around a centre. Area and moment are those of the sector without the
+    /// triangle to the centre.
+    void addCap(Vec2 center, Real radius, Vec2 u, Vec2 v) {
+        const Mass sector = massOfSector(u, v, radius, Real(1));
+        const Real triangle = radius * radius * cross(u, v) / 2;
+        const Vec2 fromCenter = sector.mass * sector.center - triangle * radius / 3 * (u + v);
+        const Real area = sector.mass - triangle;
+        twiceArea_ += 2 * area;
+        moment_ += 6 * (area * (center - first_) + fromCenter);
+    }
     Submerged result() const {
         if (!(twiceArea_ > 0)) {
             return {};
@@ -55,22 +68,70 @@ private:
     int count_ = 0;
 };
 
+/// The surface of a fluid: a point of it and its upward normal.
+struct Surface {
+    Vec2 point;
+    Vec2 up;
+
+    Real heightOf(Vec2 p) const { return dot(up, p - point); }
+};
+
+/// The part of an arc under a surface: the directions in which the circle goes down into the water
+/// and comes out of it, counter-clockwise. A convex outline crosses the surface only twice.
+void addArc(FanSum& sum, Vec2 center, Real radius, Vec2 from, Vec2 to, const Surface& surface) {
+    const Vec2 up = surface.up;
+    const Real height = surface.heightOf(center) / radius; // in radii
+    const auto addPiece = [&](Vec2 u, Vec2 v) {
+        sum.add(center + radius * u);
+        sum.add(center + radius * v);
+        sum.addCap(center, radius, u, v);
+    };
+    const bool wetFrom = height + dot(up, from) < 0;
+    const bool wetTo = height + dot(up, to) < 0;
+    const Real half = std::sqrt(std::max(1 - height * height, Real(0)));
+    const Vec2 in = -height * up + half * perp(up);
+    const Vec2 out = -height * up - half * perp(up);
+    const auto isOnArc = [&](Vec2 u) { return cross(from, u) >= 0 && cross(u, to) >= 0; };
+    const bool both = half > 0 && isOnArc(in) && isOnArc(out);
+    const bool inFirst = dot(from, in) > dot(from, out);
+    if (wetFrom && wetTo && !(both && !inFirst)) {
+        addPiece(from, to);
+    } else if (!wetFrom && !wetTo && both && inFirst) {
+        addPiece(in, out);
+    } else {
+        if (wetFrom) {
+            addPiece(from, out);
+        }
+        if (wetTo) {
+            addPiece(in, to);
+        }
+    }
+}
+
 /// Clips while summing [Ericson05, 8.3.4], so that no corner is stored.
-Submerged submergedPolygon(const ConvexShape& polygon, const Transform& t, Vec2 surface, Vec2 up) {
+Submerged submergedPolygon(const ConvexShape& polygon, const Transform& t, const Surface& surface) {
     FanSum sum;
-    Vec2 from = t * polygon.vertices.back();
-    Real heightFrom = dot(up, from - surface);
-    for (const Vec2 vertex : polygon.vertices) {
-        const Vec2 to = t * vertex;
-        const Real heightTo = dot(up, to - surface);
+    const std::size_t n = polygon.vertices.size();
+    const Real radius = polygon.radius;
+    Vec2 before = t.rotation * polygon.normals[n - 1];
+    Vec2 from = t * polygon.vertices.back() + radius * before;
+    Real heightFrom = surface.heightOf(from);
+    for (std::size_t i = 0; i < n; ++i) {
+        const Vec2 vertex = t * polygon.vertices[i];
+        const Vec2 to = vertex + radius * before;
+        const Real heightTo = surface.heightOf(to);
         if ((heightFrom < 0) != (heightTo < 0)) {
             sum.add(from + (heightFrom / (heightFrom - heightTo)) * (to - from));
         }
-        if (heightTo < 0) {
+        const Vec2 normal = t.rotation * polygon.normals[i];
+        if (radius > 0) {
+            addArc(sum, vertex, radius, before, normal, surface);
+        } else if (heightTo < 0) {
             sum.add(to);
         }
-        from = to;
-        heightFrom = heightTo;
+        before = normal;
+        from = vertex + radius * normal;
+        heightFrom = surface.heightOf(from);
     }
     return sum.result();
 }
@@ -128,7 +189,7 @@ FieldForce Attractor::at(const BodyView& body, Real dt) const {
 
 Submerged submerged(const ConvexShape& convex, const Transform& t, Vec2 surface, Vec2 up) {
     return convex.isRound() ? submergedCircle(convex, t, surface, up)
-                            : submergedPolygon(convex, t, surface, up);
+                            : submergedPolygon(convex, t, {surface, up});
 }
 
 FieldForce Buoyancy::at(const BodyView& body, Real dt) const {

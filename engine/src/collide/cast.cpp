@@ -3,6 +3,7 @@
 
 #include "collide/faces.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace kodo {
@@ -11,24 +12,22 @@ namespace {
 
 using Hit = std::optional<RayHit>;
 
-/// Keeps the earlier hit; ties keep the first argument.
-void keepFirst(Hit& best, const Hit& other) {
-    if (other && (!best || other->fraction < best->fraction)) {
-        best = other;
-    }
-}
-
 Segment segmentOf(const ConvexShape& line) {
-    return {line.vertices[0], line.vertices[1], line.oneSided};
+    return {line.vertices[0], line.vertices[1], line.oneSided, {}};
 }
 
-/// In the shape's frame, without its radius.
-Hit rayAgainstCore(const ConvexShape& shape, const Ray& ray) {
+/// In the shape's frame.
+Hit rayAgainst(const ConvexShape& shape, const Ray& ray) {
+    const std::span<const Vec2> corners(shape.vertices);
     switch (shape.kind) {
     case ConvexKind::Round:
-        return rayCast(Point{shape.vertices[0]}, ray);
+        return rayCast(Circle{shape.radius, shape.vertices[0]}, ray);
     case ConvexKind::Sided:
-        return rayCast(std::span<const Vec2>(shape.vertices), ray);
+        if (shape.radius == 0) {
+            return rayCast(corners, ray);
+        }
+        return contains(shape, Transform{}, ray.from) ? RayHit{}
+                                                      : rayCastOutline(corners, shape.radius, ray);
     case ConvexKind::Line:
         return rayCast(segmentOf(shape), ray);
     case ConvexKind::Half:
@@ -38,42 +37,80 @@ Hit rayAgainstCore(const ConvexShape& shape, const Ray& ray) {
     return rayCast(Plane{normal, dot(normal, shape.vertices[0])}, ray);
 }
 
-/// A polygon or line with a radius: its sides, moved outwards, and a circle around each corner.
-Hit rayAgainstSkin(const ConvexShape& shape, const Ray& ray, Real radius) {
+/// Outline of a that is moved outwards by a radius (m), against the corners of b, which moves by
+/// `move` (m); `ab`: pose of b in the frame of a. Each side, or (`ends`) a circle around each of
+/// its ends, meets the ends of the edge of b that faces it. Others are farther away.
+Hit skinAgainst(const ConvexShape& a, const ConvexShape& b, const Transform& ab, Vec2 move,
+                Real radius, bool ends) {
     Hit best;
-    const std::size_t n = shape.vertices.size();
-    for (std::size_t i = 0; i < n; ++i) {
-        const Vec2 out = radius * shape.normals[i];
-        const Segment side{shape.vertices[(i + 1) % n] + out, shape.vertices[i] + out, true};
-        if (!shape.oneSided || i == 1) {
-            keepFirst(best, rayCast(side, ray));
-        }
-    }
-    for (const Vec2 vertex : shape.vertices) {
-        const Hit hit = rayCast(Circle{radius, vertex}, ray);
-        // One-sided: a ray that enters the radius from behind is not hit from inside it either.
-        if (hit && (!shape.oneSided || (dot(hit->normal, shape.normals[1]) > 0 &&
-                                        dot(hit->normal, vertex - shape.middle) >= 0))) {
-            keepFirst(best, hit);
+    const std::size_t n = a.vertices.size();
+    const std::size_t corners = b.vertices.size();
+    std::size_t support = 0;
+    for (std::size_t i = 0; i < a.normals.size(); ++i) {
+        const Vec2 normal = a.normals[i];
+        const Vec2 out = radius * normal;
+        const Vec2 start = a.vertices[i];
+        const Vec2 end = a.vertices[(i + 1) % n];
+        support = supportVertex(b, unrotate(ab.rotation, -normal), support);
+        const std::size_t edge =
+            corners > 1 ? incidentEdge(b, support, unrotate(ab.rotation, normal)) : 0;
+        for (std::size_t k = 0; k < std::min(corners, std::size_t(2)); ++k) {
+            const Vec2 from = ab * b.vertices[(edge + k) % corners];
+            const Ray ray{from, from + move};
+            if (ends) {
+                best = earlierOf(best, rayCast(Circle{radius, start}, ray));
+                best = earlierOf(best, rayCast(Circle{radius, end}, ray));
+            } else {
+                const Segment side{end + out, start + out, true, {}};
+                best = earlierOf(best, rayCast(side, ray));
+            }
         }
     }
     return best;
 }
 
-/// Ray of the centre of a round shape against another shape, in the other's frame.
-Hit roundAgainst(const ConvexShape& shape, const Ray& ray, Real radius) {
-    if (shape.isRound()) {
-        return rayCast(Circle{shape.radius + radius, shape.vertices[0]}, ray);
+/// Shapes with a radius > 0 in sum, in the frame of the target. Sides of the moving shape meet
+/// corners of the target, which move backwards.
+Hit skinsAgainst(const ConvexShape& target, const ConvexShape& moving, const Transform& at,
+                 Vec2 move) {
+    const Real radius = target.radius + moving.radius;
+    const Transform back = between(at, Transform{});
+    const Vec2 backMove = unrotate(at.rotation, -move);
+    Hit best;
+    for (const bool ends : {false, true}) { // at a tie a side counts
+        best = earlierOf(best, skinAgainst(target, moving, at, move, radius, ends));
+        Hit other = skinAgainst(moving, target, back, backMove, radius, ends);
+        if (other) {
+            other->normal = -(at.rotation * other->normal);
+        }
+        best = earlierOf(best, other);
     }
-    if (shape.isPlane()) {
-        const Vec2 normal = shape.normals[0];
-        return rayCast(Plane{normal, dot(normal, shape.vertices[0]) + radius}, ray);
+    return best;
+}
+
+/// Drops a hit from behind a one-sided line.
+Hit fromFront(const Hit& hit, const ConvexShape& target, const ConvexShape& moving,
+              const Transform& at) {
+    const bool passes =
+        hit && ((target.oneSided && !(dot(hit->normal, target.normals[1]) > 0)) ||
+                (moving.oneSided && !(dot(hit->normal, at.rotation * moving.normals[1]) < 0)));
+    return passes ? Hit{} : hit;
+}
+
+/// A target with sides, in its frame, if the moving shape is round or one of both has a radius.
+Hit roundedAgainst(const ConvexShape& target, const ConvexShape& moving, const Transform& at,
+                   Vec2 move) {
+    const Vec2 start = at * moving.vertices[0];
+    const bool overlaps = moving.isRound()
+                              ? distance(target, Transform{}, start).distance <= moving.radius
+                              : distance(target, Transform{}, moving, at).distance <= 0;
+    if (overlaps) {
+        return target.oneSided || moving.oneSided ? Hit{} : Hit{RayHit{}};
     }
-    const Real gap = distance(shape, Transform{}, ray.from).distance;
-    if (gap <= radius) {
-        return shape.oneSided ? Hit{} : Hit{RayHit{}};
-    }
-    return radius > 0 ? rayAgainstSkin(shape, ray, radius) : rayAgainstCore(shape, ray);
+    const bool thin = target.radius + moving.radius == 0;
+    return fromFront(thin ? rayAgainst(target, {start, start + move})
+                          : skinsAgainst(target, moving, at, move),
+                     target, moving, at);
 }
 
 /// Clips by the faces of a against the vertices of b, which moves by `move` (m). `ab`: pose of b in
@@ -112,11 +149,7 @@ Hit facesAgainst(const ConvexShape& target, const ConvexShape& moving, const Tra
         cutByEnds(clip, target, moving, at, move, false);
         cutByEnds(clip, moving, target, back, backMove, true);
     }
-    const Hit hit = clip.hit();
-    const bool passes =
-        hit && ((target.oneSided && !(dot(hit->normal, target.normals[1]) > 0)) ||
-                (moving.oneSided && !(dot(hit->normal, at.rotation * moving.normals[1]) < 0)));
-    return passes ? Hit{} : hit;
+    return fromFront(clip.hit(), target, moving, at);
 }
 
 Hit againstPlane(const ConvexShape& plane, const ConvexShape& moving, const Transform& at,
@@ -139,12 +172,15 @@ Hit castAgainst(const ConvexShape& target, const ConvexShape& moving, const Tran
     if (target.isPlane()) {
         return moving.isPlane() ? Hit{RayHit{}} : againstPlane(target, moving, at, move);
     }
-    if (moving.isRound()) {
-        const Vec2 center = at * moving.vertices[0];
-        return roundAgainst(target, Ray{center, center + move}, moving.radius);
+    if (target.isRound() && moving.isRound()) {
+        const Vec2 start = at * moving.vertices[0];
+        return rayCast(Circle{target.radius + moving.radius, target.vertices[0]},
+                       Ray{start, start + move});
     }
     if (!target.isRound() && !moving.isPlane()) {
-        return facesAgainst(target, moving, at, move);
+        return moving.isRound() || target.radius + moving.radius > 0
+                   ? roundedAgainst(target, moving, at, move)
+                   : facesAgainst(target, moving, at, move);
     }
     Hit hit = castAgainst(moving, target, between(at, Transform{}), unrotate(at.rotation, -move));
     if (hit) {
@@ -161,6 +197,9 @@ Vec2 touchingPoint(const ConvexShape& moving, const Transform& at, const ConvexS
     }
     const bool ofMoving = moving.isRound() || target.isPlane();
     if (!ofMoving && !target.isRound() && !moving.isPlane()) {
+        if (target.radius + moving.radius > 0) {
+            return distance(target, t, moving, at).onA;
+        }
         const Manifold touch =
             collideFaces(target, t, moving, at, std::numeric_limits<Real>::max(), 0);
         return t.position + touch.points[0].armA;
@@ -176,7 +215,7 @@ Vec2 touchingPoint(const ConvexShape& moving, const Transform& at, const ConvexS
 
 std::optional<RayHit> rayCast(const ConvexShape& shape, const Transform& t, const Ray& ray) {
     const Ray local{toLocal(t, ray.from), toLocal(t, ray.to)};
-    Hit hit = shape.isRound() ? roundAgainst(shape, local, 0) : rayAgainstCore(shape, local);
+    Hit hit = rayAgainst(shape, local);
     if (hit) {
         hit->normal = t.rotation * hit->normal;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/geometry.hpp>
 
+#include "collide/core_gap.hpp"
 #include "collide/faces.hpp"
 #include "collide/one_sided.hpp"
 #include "collide/round.hpp"
@@ -138,6 +139,15 @@ Separation betweenFaces(const ConvexShape& shapeA, const Transform& a, const Con
     Separation best{a.rotation * shapeA.normals[faceA.face], faceA.separation};
     if (faceB.separation > faceA.separation) {
         best = {-(b.rotation * shapeB.normals[faceB.face]), faceB.separation};
+    }
+    const Real radii = shapeA.radius + shapeB.radius;
+    if (radii > 0) {
+        const CoreGap gap = gapOfCores(shapeA, shapeB, between(a, b));
+        if (gap.distance > best.distance && isClear(gap, shapeA, shapeB)) {
+            best = {a.rotation * gap.normal, gap.distance};
+        }
+        best.distance -= radii;
+        return best;
     }
     if (shapeA.isLine() && shapeB.isLine()) {
         const EndAxis endA = beyondEnd(shapeA, shapeB, between(a, b));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/geometry.hpp>
 
+#include "collide/core_gap.hpp"
 #include "collide/round.hpp"
 #include "collide/sat.hpp"
 
@@ -174,12 +175,8 @@ Vec2 directionOf(const Simplex& simplex, Vec2 gap) {
 
 ClosestPoints closestCores(const ConvexShape& shapeA, const Transform& a, const ConvexShape& shapeB,
                            const Transform& b) {
-    const Simplex simplex = nearestSimplex(shapeA, shapeB, between(a, b));
-    const Vec2 onA = simplex.mixed(&Support::onA);
-    const Vec2 gap = simplex.gap();
-    const bool apart = simplex.count < 3 && gap != Vec2{};
-    const Vec2 normal = apart ? directionOf(simplex, gap) : Vec2{};
-    const Real core = apart ? dot(normal, gap) : 0;
+    const CoreGap gap = gapOfCores(shapeA, shapeB, between(a, b));
+    const auto& [onA, normal, core, ofVertices, vertexA, vertexB] = gap;
     const Real between = core - shapeA.radius - shapeB.radius;
     if (between <= 0) {
         const Real depth = std::min(std::max(shapeA.radius + between / 2, Real(0)), core);
@@ -216,6 +213,20 @@ ClosestPoints reversed(ClosestPoints n) {
 
 } // namespace
 
+CoreGap gapOfCores(const ConvexShape& shapeA, const ConvexShape& shapeB, const Transform& ab) {
+    const Simplex simplex = nearestSimplex(shapeA, shapeB, ab);
+    CoreGap result{simplex.mixed(&Support::onA), {}, 0, false, 0, 0};
+    const Vec2 gap = simplex.gap();
+    if (simplex.count < 3 && gap != Vec2{}) {
+        result.normal = directionOf(simplex, gap);
+        result.distance = dot(result.normal, gap);
+        result.ofVertices = simplex.count == 1;
+        result.vertexA = simplex.corners[0].a;
+        result.vertexB = simplex.corners[0].b;
+    }
+    return result;
+}
+
 ClosestPoints distance(const ConvexShape& shapeA, const Transform& a, const ConvexShape& shapeB,
                        const Transform& b) {
     if (shapeA.isPlane()) {
@@ -234,10 +245,6 @@ ClosestPoints distance(const ConvexShape& shape, const Transform& t, Vec2 point)
     if (shape.isPlane()) {
         normal = shape.normals[0];
         gap = dot(normal, p - shape.vertices[0]);
-    } else if (shape.isRound()) {
-        const Vec2 arm = p - shape.vertices[0];
-        normal = normalize(arm);
-        gap = length(arm) - shape.radius;
     } else {
         const RoundAxis axis = nearestToCenter(shape, p);
         normal = axis.normal;

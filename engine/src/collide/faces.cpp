@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "collide/faces.hpp"
 
+#include "collide/core_gap.hpp"
+
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -38,6 +41,47 @@ bool areOne(Vec2 p, Vec2 q, Vec2 faceStart, Vec2 faceEnd) {
 
 std::size_t nextVertex(const ConvexShape& shape, std::size_t vertex) {
     return vertex + 1 == shape.vertices.size() ? 0 : vertex + 1;
+}
+
+/// True if a direction from a vertex leads beyond the ends of both its edges. This is more precise
+/// than the search for the gap, which compares squares of distances.
+bool isBeyondEdges(const ConvexShape& shape, std::size_t vertex, Vec2 direction) {
+    const std::size_t before = vertex == 0 ? shape.vertices.size() - 1 : vertex - 1;
+    return dot(direction, perp(shape.normals[vertex])) <= 0 &&
+           dot(direction, perp(shape.normals[before])) >= 0;
+}
+
+/// Two corners, rounded by the radii of their shapes.
+Manifold collideCorners(Placed a, Placed b, const CoreGap& gap, Real margin) {
+    const Real separation = gap.distance - (a.shape.radius + b.shape.radius);
+    if (separation > margin) {
+        return apart(separation);
+    }
+    Manifold manifold;
+    manifold.normal = a.at.rotation * gap.normal;
+    const Vec2 point = gap.onA + (a.shape.radius + separation / 2) * gap.normal;
+    const auto feature = static_cast<std::uint32_t>(1u << 30 | gap.vertexA << 12 | gap.vertexB);
+    add(manifold, {point, separation, feature}, a.at, b.at);
+    return manifold;
+}
+
+/// True if the contact over a gap is between two corners. Faces that are nearly parallel remain in
+/// contact as faces where the gap is between their ends: its normal is then between theirs, which
+/// are given in the frame of the gap.
+bool isOfCorners(const CoreGap& gap, Placed a, Placed b, Vec2 faceA, Vec2 faceB) {
+    if (!gap.ofVertices || !isClear(gap, a.shape, b.shape)) {
+        return false;
+    }
+    const Vec2 towardsA = unrotate(b.at.rotation, a.at.rotation * -gap.normal);
+    if (!isBeyondEdges(a.shape, gap.vertexA, gap.normal) ||
+        !isBeyondEdges(b.shape, gap.vertexB, towardsA)) {
+        return false;
+    }
+    constexpr Real kParallel = Real(1e-2); // sine
+    const Real turn = std::abs(cross(faceA, faceB));
+    const bool parallel = turn < kParallel && dot(faceA, faceB) < 0;
+    const Real rounding = roundingOf(a.shape, b.shape) / gap.distance;
+    return !(parallel && std::abs(cross(gap.normal, faceA)) <= turn + rounding);
 }
 
 Manifold collideEnds(Placed a, Placed b, const EndAxis& axis) {
@@ -96,8 +140,9 @@ Manifold clipAgainstFace(Placed a, Placed b, const Transform& ab, const FaceAxis
     manifold.normal = a.at.rotation * normal;
     const std::uint32_t feature = static_cast<std::uint32_t>(axis.face << 12 | other << 1);
     const Real height = dot(normal, first);
-    LocalPoint points[2] = {{edge.start, dot(normal, edge.start) - height, feature},
-                            {edge.end, dot(normal, edge.end) - height, feature + 1}};
+    const Real radii = shapeA.radius + shapeB.radius;
+    LocalPoint points[2] = {{edge.start, dot(normal, edge.start) - height - radii, feature},
+                            {edge.end, dot(normal, edge.end) - height - radii, feature + 1}};
     if (points[1].separation < points[0].separation) {
         std::swap(points[0], points[1]);
     }
@@ -105,7 +150,7 @@ Manifold clipAgainstFace(Placed a, Placed b, const Transform& ab, const FaceAxis
     for (std::size_t i = 0; i < (same ? 1u : 2u); ++i) {
         LocalPoint& p = points[i];
         if (p.separation <= margin) {
-            p.point -= (p.separation / 2) * normal;
+            p.point -= (shapeB.radius + p.separation / 2) * normal;
             add(manifold, p, a.at, b.at);
         }
     }
@@ -126,14 +171,23 @@ Manifold clipAgainstFaceOfB(Placed a, Placed b, const Transform& ba, const FaceA
 Manifold collideFaces(const ConvexShape& shapeA, const Transform& a, const ConvexShape& shapeB,
                       const Transform& b, Real margin, Real preference) {
     const Transform ab = between(a, b);
-    const FaceAxis faceA = leastPenetratingFace(shapeA, shapeB, ab, margin);
-    if (faceA.separation > margin) {
-        return apart(faceA.separation);
+    const Real radii = shapeA.radius + shapeB.radius;
+    const Real reach = margin + radii;
+    const FaceAxis faceA = leastPenetratingFace(shapeA, shapeB, ab, reach);
+    if (faceA.separation > reach) {
+        return apart(faceA.separation - radii);
     }
     const Transform ba = between(b, a);
-    const FaceAxis faceB = leastPenetratingFace(shapeB, shapeA, ba, margin);
-    if (faceB.separation > margin) {
-        return apart(faceB.separation);
+    const FaceAxis faceB = leastPenetratingFace(shapeB, shapeA, ba, reach);
+    if (faceB.separation > reach) {
+        return apart(faceB.separation - radii);
+    }
+    if (radii > 0) {
+        const CoreGap gap = gapOfCores(shapeA, shapeB, ab);
+        if (isOfCorners(gap, {shapeA, a}, {shapeB, b}, shapeA.normals[faceA.face],
+                        ab.rotation * shapeB.normals[faceB.face])) {
+            return collideCorners({shapeA, a}, {shapeB, b}, gap, margin);
+        }
     }
     if (shapeA.isLine() && shapeB.isLine()) {
         const Real least = std::max(faceA.separation, faceB.separation) + preference;

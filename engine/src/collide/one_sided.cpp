@@ -154,8 +154,9 @@ Manifold collideWithFaces(const ConvexShape& line, const Transform& a, const Con
     Manifold manifold;
     manifold.fromBehind = behind && ownsAlong(line, middle);
     const Transform ba = between(b, a);
-    const FaceAxis face = leastPenetratingFace(other, line, ba, margin);
-    if (front.separation > margin || face.separation > margin) {
+    const Real reach = margin + other.radius;
+    const FaceAxis face = leastPenetratingFace(other, line, ba, reach);
+    if (front.separation > reach || face.separation > reach) {
         return manifold;
     }
     if (face.separation > front.separation + limits.preference) {
@@ -191,7 +192,7 @@ Manifold collideWithFaces(const ConvexShape& line, const Transform& a, const Con
                 return lying;
             }
         }
-        if (verdict == Verdict::Aside && front.separation < -margin / 2) {
+        if (verdict == Verdict::Aside && front.separation < other.radius - margin / 2) {
             manifold.fromBehind = true;
             return manifold;
         }
@@ -212,14 +213,15 @@ Manifold collideCornerAhead(const ConvexShape& line, const Transform& a, const C
     const Real afterEnd = dot(along, corner - line.vertices[1]);
     const bool ahead = (beforeStart > 0 && isAhead(beforeStart, line.valleyBefore, reach)) ||
                        (afterEnd >= 0 && isAhead(afterEnd, line.valleyAfter, reach));
-    const Real gap = dot(normal, corner - line.vertices[0]);
+    const Real gap = dot(normal, corner - line.vertices[0]) - other.radius;
     Manifold manifold;
     const bool inFront = dot(normal, ab * other.middle - line.vertices[0]) >= 0;
     if (ahead && inFront && gap <= margin) {
         constexpr std::uint32_t kFirstFeature = 64; // beyond those of faces and ends
         manifold.normal = a.rotation * normal;
         add(manifold,
-            {corner - gap / 2 * normal, gap, kFirstFeature + static_cast<std::uint32_t>(support)},
+            {corner - (other.radius + gap / 2) * normal, gap,
+             kFirstFeature + static_cast<std::uint32_t>(support)},
             a, b);
     }
     return manifold;

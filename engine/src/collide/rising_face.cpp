@@ -75,7 +75,7 @@ Manifold contactWithLine(const ConvexShape& ground, const Transform& a, const Fa
 std::optional<Manifold> contactWithRisingFace(const ConvexShape& ground, const Transform& a,
                                               const ConvexShape& other, const Transform& b,
                                               const Manifold& found, const CarryingFace& carrying) {
-    if (ground.isPlane() || ground.isRound() || ground.oneSided || other.isPlane()) {
+    if (ground.isPlane() || ground.radius > 0 || ground.oneSided || other.isPlane()) {
         return std::nullopt;
     }
     const Vec2 normal = unrotate(a.rotation, carrying.normal);

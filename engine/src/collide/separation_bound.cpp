@@ -120,7 +120,7 @@ KODO_LANES_INLINE bool seeFaces(SeparationBoundLanes& separationBound, const Con
     for (std::size_t at = 0; at < faces; at += kLanes) {
         const Couple normal = loadPairs(&a.normals[at].x);
         const Couple on = loadPairs(&a.vertices[at].x);
-        const Lanes surface = normal.x * on.x + normal.y * on.y + all(view.radius);
+        const Lanes surface = normal.x * on.x + normal.y * on.y + all(view.radius + a.radius);
         const Lanes above = lowest(normal, view.now, view.count) - surface;
         const Lanes after = lowest(normal, view.then, view.count) - surface - all(view.bend);
         const Lanes closing =
@@ -175,7 +175,8 @@ SeparationBound separationBoundOf(const ConvexShape& shapeA, const Transform& a,
             seeFaces(aside, shapeB, viewOf(b, shapeA, a, reversed(path)), path)) {
             return aside.best();
         }
-        if (shapeA.kind == ConvexKind::Sided && shapeB.kind == ConvexKind::Sided) {
+        if (shapeA.kind == ConvexKind::Sided && shapeB.kind == ConvexKind::Sided &&
+            shapeA.radius + shapeB.radius == 0) {
             return aside.best();
         }
     }

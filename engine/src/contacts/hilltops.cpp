@@ -50,7 +50,8 @@ PointOverLine pointOver(const ManifoldPoint& point, const Bodies& bodies, const 
 bool isCorner(const ConvexShape& other, const Rot& rotation, const ManifoldPoint& point,
               bool otherIsB, Real tolerance) {
     const Vec2 place = unrotate(rotation, otherIsB ? point.armB : point.armA);
-    const Real reach = std::abs(point.separation) / 2 + tolerance; // the point is between both
+    // The point is between both surfaces.
+    const Real reach = std::abs(point.separation) / 2 + tolerance + other.radius;
     return std::any_of(other.vertices.begin(), other.vertices.end(),
                        [&](Vec2 vertex) { return lengthSquared(place - vertex) < reach * reach; });
 }

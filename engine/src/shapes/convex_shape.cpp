@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
@@ -33,8 +34,21 @@ void build(ConvexShape& convex, const Point& point, Vec2 origin) {
     build(convex, Circle{0, point.position}, origin);
 }
 
+void build(ConvexShape& convex, const Capsule& capsule, Vec2 origin) {
+    if (!(lengthSquared(capsule.to - capsule.from) > 0)) {
+        build(convex, Circle{capsule.radius, capsule.from}, origin);
+        return;
+    }
+    convex.kind = ConvexKind::Sided;
+    convex.radius = capsule.radius;
+    convex.coreRadius = capsule.radius;
+    setVertices(convex, {capsule.from, capsule.to}, origin);
+    convex.middle = Real(0.5) * (convex.vertices[0] + convex.vertices[1]);
+}
+
 void build(ConvexShape& convex, const Polygon& polygon, Vec2 origin) {
     convex.kind = ConvexKind::Sided;
+    convex.radius = polygon.radius;
     setVertices(convex, polygon.corners, origin);
     convex.middle = massOf(std::span<const Vec2>(convex.vertices), Real(1)).center;
     convex.coreRadius = std::numeric_limits<Real>::max();
@@ -42,6 +56,7 @@ void build(ConvexShape& convex, const Polygon& polygon, Vec2 origin) {
         const Real height = dot(convex.normals[i], convex.vertices[i] - convex.middle);
         convex.coreRadius = std::min(convex.coreRadius, height);
     }
+    convex.coreRadius += convex.radius;
 }
 
 void build(ConvexShape& convex, const Box& box, Vec2 origin) {
@@ -49,6 +64,10 @@ void build(ConvexShape& convex, const Box& box, Vec2 origin) {
 }
 
 void build(ConvexShape& convex, const Segment& segment, Vec2 origin) {
+    if (segment.radius > 0) {
+        build(convex, Capsule{segment.from, segment.to, segment.radius}, origin);
+        return;
+    }
     convex.kind = ConvexKind::Line;
     convex.oneSided = segment.oneSided;
     setVertices(convex, {segment.from, segment.to}, origin);
@@ -121,12 +140,12 @@ bool contains(const ConvexShape& convex, const Transform& t, Vec2 point) {
     if (convex.isLine()) {
         return contains(Segment{convex.vertices[0], convex.vertices[1]}, p);
     }
-    for (std::size_t i = 0; i < convex.normals.size(); ++i) {
-        if (dot(convex.normals[i], p - convex.vertices[i]) > 0) {
-            return false;
-        }
+    const std::span<const Vec2> corners(convex.vertices);
+    bool inCore = corners.size() != 2;
+    for (std::size_t i = 0; inCore && i < corners.size(); ++i) {
+        inCore = !(dot(convex.normals[i], p - corners[i]) > 0);
     }
-    return true;
+    return inCore || (convex.radius > 0 && contains(corners, convex.radius, p));
 }
 
 } // namespace KODO_PRECISION

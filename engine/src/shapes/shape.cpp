@@ -27,11 +27,25 @@ std::optional<Problem> checkSize(const char* field, Real length) {
     return checkPositive(field, length, kMaxLength, "m");
 }
 
+std::optional<Problem> checkRadius(Real radius) {
+    return checkRange("radius", radius, 0, kMaxLength, "m");
+}
+
 std::optional<Problem> check(const Circle& circle) {
     if (auto problem = checkPoint("center", circle.center)) {
         return problem;
     }
     return checkSize("radius", circle.radius);
+}
+
+std::optional<Problem> check(const Capsule& capsule) {
+    if (auto problem = checkPoint("from", capsule.from)) {
+        return problem;
+    }
+    if (auto problem = checkPoint("to", capsule.to)) {
+        return problem;
+    }
+    return checkSize("radius", capsule.radius);
 }
 
 std::optional<Problem> check(const Box& box) {
@@ -42,6 +56,9 @@ std::optional<Problem> check(const Box& box) {
         return problem;
     }
     if (auto problem = checkRotation("rotation", box.rotation)) {
+        return problem;
+    }
+    if (auto problem = checkRadius(box.radius)) {
         return problem;
     }
     return checkPoint("center", box.center);
@@ -139,6 +156,9 @@ std::optional<Problem> check(const Polygon& polygon, Real flatness = kFlatness) 
             return problem;
         }
     }
+    if (auto problem = checkRadius(polygon.radius)) {
+        return problem;
+    }
     if (auto problem = checkDistinct(polygon.corners)) {
         return problem;
     }
@@ -165,7 +185,13 @@ std::optional<Problem> check(const Segment& segment) {
     if (auto problem = checkPoint("from", segment.from)) {
         return problem;
     }
-    return checkEnd("to", segment.to, segment.from, "from");
+    if (auto problem = checkEnd("to", segment.to, segment.from, "from")) {
+        return problem;
+    }
+    if (segment.oneSided && segment.radius > 0) {
+        return Problem{"radius", "is only for two-sided segments: a one-sided one has no inside"};
+    }
+    return checkRadius(segment.radius);
 }
 
 std::optional<Problem> check(const Plane& plane) {
@@ -284,8 +310,13 @@ Circle movedShape(const Circle& circle, const Transform& t) {
     return {circle.radius, t * circle.center};
 }
 
+Capsule movedShape(const Capsule& capsule, const Transform& t) {
+    return {t * capsule.from, t * capsule.to, capsule.radius};
+}
+
 Box movedShape(const Box& box, const Transform& t) {
-    return {box.width, box.height, t * box.center, normalize(t.rotation * box.rotation)};
+    return {box.width, box.height, t * box.center, normalize(t.rotation * box.rotation),
+            box.radius};
 }
 
 Polygon movedShape(const Polygon& polygon, const Transform& t) {
@@ -301,7 +332,7 @@ Point movedShape(const Point& point, const Transform& t) {
 }
 
 Segment movedShape(const Segment& segment, const Transform& t) {
-    return {t * segment.from, t * segment.to, segment.oneSided};
+    return {t * segment.from, t * segment.to, segment.oneSided, segment.radius};
 }
 
 Plane movedShape(const Plane& plane, const Transform& t) {

@@ -310,7 +310,7 @@ std::vector<BodyId> overlap(const World& world, const Aabb& box, CollisionFilter
     const Vec2 half = Real(0.5) * box.extent();
     Primitive primitive = Point{};
     if (half.x > 0 && half.y > 0) {
-        primitive = Box{2 * half.x, 2 * half.y, {}, {}};
+        primitive = Box{2 * half.x, 2 * half.y, {}, {}, {}};
     } else if (half.x > 0 || half.y > 0) {
         primitive = Segment{-half, half};
     }

@@ -11,6 +11,18 @@ inline namespace KODO_PRECISION {
 
 namespace {
 
+/// True for a box, polygon or segment without a radius.
+bool isSharp(const Primitive& primitive) {
+    return std::visit(
+        [](const auto& kind) {
+            if constexpr (requires { kind.radius; }) {
+                return kind.radius == 0;
+            }
+            return false;
+        },
+        primitive);
+}
+
 /// Adds what decides the future beside the motion: settings, fields, geometry, materials, user
 /// data and the numbers of joints. Of a user's own fields only that they exist.
 void addDefinitions(StateHash& hash, const WorldImpl& world) {
@@ -31,8 +43,12 @@ void addDefinitions(StateHash& hash, const WorldImpl& world) {
         }
         stream.write(bodies.record[i].userData);
         const PartList& list = bodies.geometry(i);
-        for (Part part : list.parts) {
-            visitState(stream, part);
+        for (const Part& part : list.parts) {
+            stream.write(part.primitive);
+            if (isSharp(part.primitive)) { // a radius, the last member, counts only if it rounds
+                stream.drop(sizeof(Real));
+            }
+            stream.write(part.material, part.density);
         }
         for (const SetMass& set : list.setMasses) { // nothing is added if none was set
             stream.write(set);
