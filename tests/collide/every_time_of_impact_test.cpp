@@ -69,8 +69,11 @@ TEST_P(EveryTimeOfImpact, IsNeverLateAndEndsNearContact) {
             crept += gapAt(t) > static_cast<long double>(4 * kTarget) ? 1 : 0;
         }
     }
-    // A rotating plane is fast far from its centre, so the bound of its approach is poor.
-    EXPECT_LE(crept, hits / (plane ? 10 : 50) + 1) << "of " << hits;
+    // A rotating plane is fast far from its centre, so the bound of its approach is poor. Round
+    // corners meet along no face axis more often.
+    const bool round =
+        std::get<0>(GetParam()) >= AnyKind::Capsule || std::get<1>(GetParam()) >= AnyKind::Capsule;
+    EXPECT_LE(crept, hits / (plane ? 10 : round ? 20 : 50) + 1) << "of " << hits;
 }
 
 INSTANTIATE_TEST_SUITE_P(AllKinds, EveryTimeOfImpact,

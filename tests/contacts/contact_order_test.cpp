@@ -33,6 +33,7 @@ public:
         for (const Vec2 place : places) {
             bodies.pose[addBody(bodies, def, geometry).index].position = place;
         }
+        set.bodiesChanged();
         refreshAwake(bodies);
         noteStart(bodies);
         step();
