@@ -17,7 +17,7 @@ MAX_COLUMNS = 100
 MAX_PARAMETERS = 6
 MAX_DATA_MEMBERS = 25
 MAX_MEMBER_FUNCTIONS = 50
-MAX_ENGINE_LINES = 25_300  # of code; lowered when the engine has become smaller, never raised
+MAX_ENGINE_LINES = 24_800  # of code; lowered when the engine has become smaller, never raised
 MAX_FOLDER_SHARE = 0.15  # of these lines
 
 TOKEN = re.compile(

@@ -31,7 +31,7 @@ Scene stream(int size, std::uint64_t) {
     Scene scene;
     scene.def = {"stream", scenes::kDown, {scenes::ground(4000)}};
     for (int i = 0; i < 500; ++i) {
-        scene.def.bodies.push_back(scenes::ball(0.4, {i, 0.4}));
+        scene.def.bodies.push_back(scenes::ball(0.4, {static_cast<double>(i), 0.4}));
     }
     const std::size_t first = scene.def.bodies.size();
     for (int i = 0; i < size * kShown; ++i) {

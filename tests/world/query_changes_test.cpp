@@ -205,5 +205,23 @@ TEST(QueriesAfterChanges, MayRunOnSeveralThreadsAtOnce) {
     }
 }
 
+// A new body in the slot of one that was removed: a query had seen it at rest.
+TEST(Queries, ABodyThatStartsInTheSlotOfARemovedOneMeetsTheGround) {
+    World world{{.gravity = {0, -10}}};
+    world.add({.shape = Box{20, 1}, .type = BodyType::Static});
+    const BodyId former = world.add({.shape = Circle{Real(0.5)}, .position = {0, 5}});
+    world.step(Real(1) / 60);
+    world.remove(former);
+    const BodyId ball =
+        world.add({.shape = Circle{Real(0.5)}, .position = {3, 2}, .type = BodyType::Kinematic});
+    EXPECT_EQ(ball.index, former.index);
+    EXPECT_TRUE(rayCast(world, {3, 4}, {0, -8}));
+    world[ball].setType(BodyType::Dynamic);
+    for (int i = 0; i < 120; ++i) {
+        world.step(Real(1) / 60);
+    }
+    EXPECT_NEAR(world[ball].position().y, Real(1), Real(0.02));
+}
+
 } // namespace
 } // namespace kodo

@@ -58,7 +58,7 @@ private:
     static void ask(const World& world) {
         rayCast(world, {-20, 3}, {20, 1});
         overlap(world, Aabb{{-1, -1}, {1, 2}});
-        closestPoint(world, {3, 5});
+        closestPoint(world, {3, 5}, 100);
     }
 
     void start(Scene scene) {

@@ -118,8 +118,8 @@ void CandidatePairs::followChanged(const Bodies& bodies) {
     for (const std::uint32_t i : bounds_.changed()) {
         const std::uint32_t body = bounds_.part(i).body;
         anyArrived_ = anyArrived_ || (bodies.hasArrived[body] != 0 && !bodies.active(body));
-        if (trees_.has(i)) {
-            trees_.set(i, trees_.restOf(i), bounds_.grown()[i].box());
+        if (trees_.has(i)) { // the body may be a new one in the slot of one that was active
+            trees_.set(i, restOf(bodies, body), bounds_.grown()[i].box());
         }
     }
 }

@@ -39,13 +39,9 @@ std::optional<Problem> check(const Circle& circle) {
 }
 
 std::optional<Problem> check(const Capsule& capsule) {
-    if (auto problem = checkPoint("from", capsule.from)) {
-        return problem;
-    }
-    if (auto problem = checkPoint("to", capsule.to)) {
-        return problem;
-    }
-    return checkSize("radius", capsule.radius);
+    auto problem = checkPoint("from", capsule.from);
+    problem = problem ? problem : checkPoint("to", capsule.to);
+    return problem ? problem : checkSize("radius", capsule.radius);
 }
 
 std::optional<Problem> check(const Box& box) {
@@ -393,8 +389,8 @@ bool needsLock(const Shape& shape) {
 }
 
 Primitive moved(const Primitive& primitive, const Transform& transform) {
-    return std::visit([&](const auto& kind) { return Primitive(movedShape(kind, transform)); },
-                      primitive);
+    const auto visit = [&](const auto& kind) { return Primitive(movedShape(kind, transform)); };
+    return std::visit(visit, primitive);
 }
 
 } // namespace KODO_PRECISION
