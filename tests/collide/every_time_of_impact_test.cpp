@@ -73,7 +73,7 @@ TEST_P(EveryTimeOfImpact, IsNeverLateAndEndsNearContact) {
     // corners meet along no face axis more often.
     const bool round =
         std::get<0>(GetParam()) >= AnyKind::Capsule || std::get<1>(GetParam()) >= AnyKind::Capsule;
-    EXPECT_LE(crept, hits / (plane ? 10 : round ? 20 : 50) + 1) << "of " << hits;
+    EXPECT_LE(crept, hits / (plane ? 10 : round ? 10 : 50) + 1) << "of " << hits;
 }
 
 INSTANTIATE_TEST_SUITE_P(AllKinds, EveryTimeOfImpact,

@@ -185,7 +185,7 @@ TEST(RoundedShape, ContainsWhatTheOracleContains) {
         const ConvexShape convex = convexShapeOf(shape, {});
         const Vec2 p = random.point(3);
         const long double gap = support::signedDistance(convex, {}, dot, {p, {}});
-        if (std::abs(gap) > byPrecision(4e-6, 1e-14)) {
+        if (std::abs(gap) > static_cast<long double>(byPrecision(4e-6, 1e-14))) {
             ASSERT_EQ(contains(convex, {}, p), gap < 0);
             ASSERT_EQ(std::visit([&](const auto& kind) { return contains(kind, p); }, shape),
                       gap < 0);

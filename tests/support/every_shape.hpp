@@ -149,6 +149,8 @@ template <typename... Overloads>
 struct Each : Overloads... {
     using Overloads::operator()...;
 };
+template <typename... Overloads>
+Each(Overloads...) -> Each<Overloads...>; // clang 14 deduces none for aggregates
 
 /// Mirrors a primitive. The order of corners is reversed to keep the orientation.
 inline kodo::Primitive mirrored(const kodo::Primitive& primitive) {

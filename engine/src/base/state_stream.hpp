@@ -59,6 +59,14 @@ template <typename T, typename... Members>
 inline constexpr bool kIsGapless = (isPlain<Members>() && ...) &&
                                    (sizeof(Members) + ... + 0) == sizeof(T);
 
+template <typename T>
+struct GaplessOf {
+    template <typename... Members>
+    std::bool_constant<kIsGapless<T, Members...>> operator()(Members&...) const {
+        return {};
+    }
+};
+
 /// True for a type whose bytes in memory are those of its members, in order and without gaps. Such
 /// values are copied as one block. `bool` is not one of them: it is checked.
 template <typename T>
@@ -73,9 +81,7 @@ constexpr bool isPlain() {
     } else if constexpr (!std::is_aggregate_v<T> || isId<T> || hasOwnState<T>) {
         return false;
     } else {
-        return decltype(withMembers(std::declval<T&>(), []<typename... M>(M&...) {
-            return std::bool_constant<kIsGapless<T, M...>>();
-        }))::value;
+        return decltype(withMembers(std::declval<T&>(), GaplessOf<T>{}))::value;
     }
 }
 

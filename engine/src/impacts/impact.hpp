@@ -5,6 +5,7 @@
 #include "collide/manifold.hpp"
 
 #include "lanes/contact.hpp"
+#include "lanes/contact_lane.hpp"
 #include "lanes/leverage.hpp"
 
 namespace kodo {
