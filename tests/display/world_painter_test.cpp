@@ -83,7 +83,7 @@ ShapeCase caseOf(const kodo::Chain& chain) {
     return {"chain", chain, {{-2, 1}, {2, 1}}, {{0, 0}, {0, 3}}};
 }
 ShapeCase caseOf(const kodo::Capsule& capsule) {
-    return {"capsule", capsule, {{0, 0.9f}, {3.8f, 0}, {-3.8f, 0}}, {{0, 1.3f}, {3.8f, 0.8f}}};
+    return {"capsule", capsule, {{0, 0.9f}, {3.8f, 0}, {-3.8f, 0}}, {{0, 1.3f}, {3.9f, 0.9f}}};
 }
 
 std::vector<ShapeCase> shapeCases() {
