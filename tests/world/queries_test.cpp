@@ -131,7 +131,8 @@ TEST(Queries, OverlapAgreesWithBruteForce) {
         const World world = crowd(static_cast<std::uint64_t>(k));
         for (int i = 0; i < 50; ++i) {
             const Transform at = random.pose(12);
-            const support::AnyKind kind = support::kEveryKind[i % std::size(support::kEveryKind)];
+            const support::AnyKind kind =
+                support::kEveryKind[static_cast<std::size_t>(i) % std::size(support::kEveryKind)];
             const Compound shape{{support::randomPrimitive(random, kind),
                                   support::randomPrimitive(random, support::Kind::Polygon)}};
             std::vector<BodyId> expected;
