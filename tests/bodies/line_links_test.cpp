@@ -16,7 +16,8 @@ std::vector<ConvexShape> linesOf(const Shape& shape) {
         parts.push_back({.primitive = primitive});
     }
     std::vector<ConvexShape> lines;
-    for (const Part& part : makeGeometry(std::move(parts))->parts) {
+    const auto geometry = makeGeometry(std::move(parts));
+    for (const Part& part : geometry->parts) {
         lines.push_back(part.convex);
     }
     return lines;

@@ -4,6 +4,6 @@
 
 int main() {
     const kodo_draw::Camera camera(kodo::Aabb{{0, 0}, {2, 1}}, kodo_draw::Size{200, 100});
-    const sf::Vector2f corner = camera.toPixels(kodo::Vec2{0, 1});
-    return corner == sf::Vector2f{0, 0} ? 0 : 1;
+    const kodo_draw::Pixel corner = camera.toPixels(kodo::Vec2{0, 1});
+    return corner == kodo_draw::Pixel{0, 0} ? 0 : 1;
 }
