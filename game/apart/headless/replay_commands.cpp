@@ -122,7 +122,7 @@ std::string hashLine(const std::string& file, const Replay& replay) {
             progress.show(playback.game(), end);
         }
         if (tick > (part - 1) * end / 4) {
-            line += " " + std::to_string(tick) + " " + toHex(playback.game().stateHash());
+            line += fmt::format(" {} {}", tick, toHex(playback.game().stateHash()));
         }
     }
     return line;
