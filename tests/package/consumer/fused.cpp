@@ -14,7 +14,7 @@ Real (*volatile keep_cross)(kodo::BasicVec2<Real>, kodo::BasicVec2<Real>) = &kod
 kodo::Polygon (*volatile keep_polygon)(const kodo::Box&) = &kodo::polygonOf<Real>;
 kodo::Mass (*volatile keep_mass)(std::span<const Vec2>, Real) = &kodo::massOf<Real>;
 kodo::Mass (*volatile keep_sum)(const kodo::Mass&, const kodo::Mass&) = &kodo::combine<Real>;
-kodo::Aabb (*volatile keep_bounds)(const kodo::Box&) = &kodo::boundsOf<Real>;
+kodo::Aabb (*volatile keep_bounds)(const kodo::Box&) = &kodo::boundsOf<kodo::BasicBox, Real>;
 
 int main() {
     kodo::World world{{.gravity = {Real(0.3), -10}}};
