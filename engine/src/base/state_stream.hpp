@@ -106,7 +106,7 @@ public:
 
     /// Writes these values in order, or reads into them. Floats are stored bit by bit, including
     /// NaN and -0. Throws BadSnapshot at the end of the bytes, and for a bool that is neither 0 nor
-    /// 1. Whoever reads an enumerator checks it.
+    /// 1. The reading class checks enumerators.
     template <typename... Values>
     void operator()(Values&... values) {
         (one(values), ...);

@@ -50,7 +50,7 @@ void BoundsTrees::add(Rest rest, std::span<const Leaf> leaves) {
     sort(rest);
 }
 
-/// Sorts the leaves of a tree anew, together with those in leaves_.
+/// Sorts the leaves of a tree together with those in leaves_.
 void BoundsTrees::sort(Rest rest) {
     Tree& tree = trees_[index(rest)];
     if (tree.root != kNone) {

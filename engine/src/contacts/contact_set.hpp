@@ -110,7 +110,7 @@ public:
     void leavePasses(const Bodies& bodies);
     /// The manifold of a contact was replaced, and its approach speed measured.
     void manifoldChanged(std::uint32_t slot);
-    /// Assigns the lanes of the passes anew; see ContactBlocks::rebuildGraph.
+    /// Assigns all lanes of the passes again; see ContactBlocks::rebuildGraph.
     void rebuildLanes(const Bodies& bodies, std::uint32_t partitions) {
         lanes().rebuildGraph(bodies, store_.all(), store_.slotsInOrder(), partitions);
     }

@@ -54,7 +54,7 @@ public:
     void begin(const ContactList& contacts, bool friction, bool rolling);
     /// Before begin(): advances the contacts in the passes to the start of the step.
     void advance(Bodies& bodies, WorkerTeam& team);
-    /// Before begin(): assigns the lanes of the contacts `order` anew, for a number of partitions.
+    /// Before begin(): assigns the lanes of the contacts `order` again, for a number of partitions.
     /// In the order of keys, a pass reads memory in order, and each partition mostly moves bodies
     /// of its own. Contacts that come and go degrade this order.
     void rebuildGraph(const Bodies& bodies, const ContactList& contacts,
