@@ -21,7 +21,7 @@ ENGINE = (
 PUBLIC = {
     "base": "real version export error executor state_hash step_stats",
     "math": "math",
-    "shapes": "material shape mass measure ray geometry",
+    "shapes": "material shape convex_shape mass measure ray geometry",
     "bodies": "body force_field settings collision_record joint",
     "world": "world query snapshot kodo",
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/shape.hpp>
+#include <kodo/convex_shape.hpp>
 
 #include <gtest/gtest.h>
 

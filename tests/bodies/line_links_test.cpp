@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/shape.hpp>
+#include <kodo/convex_shape.hpp>
 
 #include "bodies/body_geometry.hpp"
 #include "collide/line_frame.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <kodo/shape.hpp>
+#include <kodo/convex_shape.hpp>
 #include <support/convex_oracle.hpp>
 #include <support/near.hpp>
 #include <support/random_shapes.hpp>

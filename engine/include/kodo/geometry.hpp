@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <kodo/convex_shape.hpp>
 #include <kodo/ray.hpp>
-#include <kodo/shape.hpp>
 
 #include <algorithm>
 #include <array>

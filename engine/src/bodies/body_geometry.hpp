@@ -2,8 +2,8 @@
 #pragma once
 
 #include <kodo/body.hpp>
+#include <kodo/convex_shape.hpp>
 #include <kodo/measure.hpp>
-#include <kodo/shape.hpp>
 
 #include "bodies/body_checks.hpp"
 #include "bodies/part_list.hpp"

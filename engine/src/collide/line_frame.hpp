@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <kodo/shape.hpp>
+#include <kodo/convex_shape.hpp>
 
 namespace kodo {
 inline namespace KODO_PRECISION {

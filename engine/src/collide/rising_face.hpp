@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <kodo/convex_shape.hpp>
 #include <kodo/geometry.hpp>
-#include <kodo/shape.hpp>
 
 #include "collide/manifold.hpp"
 #include "collide/one_sided.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <kodo/convex_shape.hpp>
 #include <kodo/measure.hpp>
-#include <kodo/shape.hpp>
 
 #include <cmath>
 #include <limits>

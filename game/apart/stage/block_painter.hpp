@@ -4,7 +4,7 @@
 #include <apart/core/level.hpp>
 #include <apart/stage/canvas.hpp>
 #include <apart/stage/cracks.hpp>
-#include <kodo/shape.hpp>
+#include <kodo/convex_shape.hpp>
 
 #include <cstdint>
 #include <span>

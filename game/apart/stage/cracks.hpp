@@ -2,7 +2,7 @@
 #pragma once
 
 #include <apart/stage/canvas.hpp>
-#include <kodo/shape.hpp>
+#include <kodo/convex_shape.hpp>
 
 #include <cstdint>
 #include <span>
