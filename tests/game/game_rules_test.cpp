@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <apart/core/flight.hpp>
 #include <support/near.hpp>
 
 #include "game_access.hpp"
@@ -124,6 +125,89 @@ TEST(Serve, RidesOnThePaddleUntilItIsLaunchedAlongTheHeadingShown) {
     EXPECT_TRUE(near(length(velocity), 12, 1e-4));
 }
 
+TEST(Serve, IsTurnedByTheAimWhichHoldsUntilTheServe) {
+    Game game(levelOf(kBrick), 5);
+    Input aim;
+    aim.aim = std::int16_t{-1000};
+    game.tick(aim);
+    const Vec2 heading = normalize(Vec2{-1, 1});
+    EXPECT_TRUE(near(game.serveHeading(), heading, 1e-6));
+    game.tick({});
+    EXPECT_TRUE(near(game.serveHeading(), heading, 1e-6));
+    Input launch;
+    launch.launch = true;
+    game.tick(launch);
+    EXPECT_TRUE(near(normalize(game.world()[game.balls()[0].body].velocity()), heading, 1e-5));
+    aim.aim = std::int16_t{1000};
+    game.tick(aim); // no ball rides
+    EXPECT_TRUE(near(game.serveHeading(), heading, 1e-6));
+}
+
+TEST(Serve, IsNotAimedFlatterThanSixtyDegreesFromTheVertical) {
+    Game game(levelOf(kBrick), 5);
+    Input aim;
+    aim.aim = std::int16_t{30000};
+    game.tick(aim);
+    EXPECT_TRUE(near(game.serveHeading().y, Real(0.5), 1e-3));
+}
+
+TEST(Serve, ItsFirstLegEndsWhereTheBallFirstTouches) {
+    for (const int slope : {-1500, -400, 0, 250, 1700}) {
+        Game game(levelOf(kBrick), 5);
+        Input aim;
+        aim.aim = static_cast<std::int16_t>(slope);
+        game.tick(aim);
+        const std::vector<Vec2> leg = firstLeg(game);
+        ASSERT_EQ(leg.size(), 2u);
+        Input launch;
+        launch.launch = true;
+        game.tick(launch);
+        while (eventOf<Struck>(game) == nullptr) {
+            game.tick({});
+        }
+        // The cast ball is a tenth smaller, and a tick takes 0.1 m.
+        const Vec2 place = game.world()[game.balls()[0].body].position();
+        EXPECT_TRUE(near(place, leg[1], 0.25)) << slope;
+    }
+}
+
+TEST(Serve, ItsFirstLegBendsInTheWind) {
+    Level level = levelOf(kBrick);
+    level.wind = 8000;
+    Game game(level, 5);
+    Input aim;
+    aim.aim = std::int16_t{0};
+    game.tick(aim);
+    const std::vector<Vec2> leg = firstLeg(game);
+    ASSERT_GT(leg.size(), 5u);
+    EXPECT_GT(leg.back().x, leg.front().x + Real(0.5));
+}
+
+TEST(Prize, IsDividedByTheHitsOfThePaddleAndWonWithTheLastBlock) {
+    Game game(levelOf(emptyRows(5) + ".......b.......\n"), 5);
+    const std::int32_t all = game.counts().prize();
+    EXPECT_EQ(all, kPrizeFactor * 100);
+    Input input;
+    input.launch = true;
+    game.tick(input);
+    EXPECT_EQ(game.counts().hits, 1) << "a serve is a hit";
+    EXPECT_EQ(game.counts().prize(), all);
+    GameTestAccess::shoot(game, {0, 3}, {0, -12});
+    for (int tick = 0; tick < 30; ++tick) {
+        game.tick({});
+    }
+    EXPECT_EQ(game.counts().hits, 2);
+    EXPECT_EQ(game.counts().prize(), all / 2);
+    const std::int32_t before = game.score();
+    GameTestAccess::breakBlock(game, 0, {0, 24});
+    game.tick({});
+    const auto* won = eventOf<Cleared>(game);
+    ASSERT_NE(won, nullptr);
+    EXPECT_EQ(won->prize, all / 2);
+    EXPECT_EQ(won->spared, 0);
+    EXPECT_EQ(game.score(), before + 100 + won->prize + won->lives);
+}
+
 TEST(Serve, DependsOnTheSeedAndIsNeitherSteepNorFlat) {
     const Level level = levelOf(kBrick);
     EXPECT_EQ(Game(level, 5).serveHeading(), Game(level, 5).serveHeading());
@@ -171,7 +255,8 @@ TEST(Lives, AreWorthPointsWhenTheLastBlockBreaks) {
     const auto cleared = playUntil<Cleared>(game, {}, 30);
     ASSERT_TRUE(cleared);
     EXPECT_EQ(game.result(), Result::Won);
-    EXPECT_EQ(cleared->score, kPoints[0] + 3 * kLifePoints);
+    EXPECT_EQ(cleared->lives, 3 * kLifePoints);
+    EXPECT_EQ(game.score(), kPoints[0] + cleared->lives + cleared->prize);
 }
 
 TEST(Combo, GrowsWithEachBlockUntilThePaddleIsHit) {
@@ -179,23 +264,23 @@ TEST(Combo, GrowsWithEachBlockUntilThePaddleIsHit) {
     GameTestAccess::breakBlock(game, 2, {0, 24});
     const std::int32_t first = game.score();
     GameTestAccess::breakBlock(game, 2, {0, 24});
-    EXPECT_EQ(game.combo(), 2);
+    EXPECT_EQ(game.counts().combo, 2);
     EXPECT_EQ(game.score(), 3 * first);
     GameTestAccess::shoot(game, {0, 3}, {0, -12});
     for (int tick = 0; tick < 20; ++tick) {
         game.tick({});
     }
-    EXPECT_EQ(game.combo(), 0);
+    EXPECT_EQ(game.counts().combo, 0);
 }
 
 // Regression: a new ball continued the combo of the lost one.
 TEST(Combo, EndsWhenALifeIsLost) {
     Game game(levelOf(kBrick), 1);
     GameTestAccess::breakBlock(game, 1, {0, 24});
-    ASSERT_EQ(game.combo(), 1);
+    ASSERT_EQ(game.counts().combo, 1);
     GameTestAccess::shoot(game, {8, 1}, {0, -12});
     ASSERT_TRUE(playUntil<LifeLost>(game, {}, 60));
-    EXPECT_EQ(game.combo(), 0);
+    EXPECT_EQ(game.counts().combo, 0);
 }
 
 TEST(Paddle, ReflectsTheBallAboutTheNormalOfItsDome) {

@@ -120,6 +120,26 @@ TEST(ReplayFile, HasForceAndModeInItsSecondFormat) {
     EXPECT_EQ(problemOf(wrong), "test.replay:7: force must be 0, pull or push");
 }
 
+TEST(ReplayFile, HasTheAimOfTheServeInItsThirdFormat) {
+    const std::string head = "level first_light\nseed 7\nhandwritten\n";
+    const std::string rest = "0 0 - 0\n10 0 - 0 0 -400\n20 0 - 0 0 -\n30 0 - 1 0\n"
+                             "expect 15 serveX == -400\nexpect 25 serveX == -400\nend 60\n";
+    const std::string text = "apart-replay 3\n" + head + rest;
+    ASSERT_EQ(problemOf(text), "none");
+    const Replay replay = std::get<Replay>(parseReplay(text, "test.replay"));
+    EXPECT_FALSE(replay.inputs[0].input.aim);
+    EXPECT_EQ(replay.inputs[1].input.aim, std::optional<std::int16_t>(-400));
+    EXPECT_FALSE(replay.inputs[2].input.aim);
+    EXPECT_TRUE(played(replay).failures().empty());
+    EXPECT_EQ(std::get<Replay>(parseReplay(toText(replay), "again")).inputs, replay.inputs);
+    EXPECT_EQ(problemOf("apart-replay 2\n" + head + rest),
+              "test.replay:6: an input line has the columns tick paddle target launch force");
+    std::string wrong = text;
+    wrong.replace(wrong.find("0 -400"), 6, "0 1733");
+    EXPECT_EQ(problemOf(wrong),
+              "test.replay:6: aim must be - or a whole number from -1732 to 1732");
+}
+
 TEST(ReplayFile, IsRefusedAtEveryTruncation) {
     const std::string text = toText(recorded(130));
     for (std::size_t size = 0; size < text.size(); ++size) {
@@ -146,7 +166,7 @@ TEST(ReplayFile, NamesTheLineOfAnError) {
     };
     const std::vector<std::pair<std::string, std::string>> cases = {
         {with("apart-replay 1", "apart-film 1"), ":1: not a replay"},
-        {with("apart-replay 1", "apart-replay 3"), ":1: was written by a newer game"},
+        {with("apart-replay 1", "apart-replay 4"), ":1: was written by a newer game"},
         {with("30 0 - 1", "30 0 - 1 pull"), ":7: an input line has four columns"},
         {with("seed 7", "seed -7"), ":3: seed needs one whole number"},
         {with("seed 7\n", ""), ":12: there is no line seed N"},

@@ -52,7 +52,7 @@ void look(Shown& shown, const Game& game) {
     }
     shown.pulled += game.force() == Force::Pull ? 1 : 0;
     shown.pushed += game.force() == Force::Push ? 1 : 0;
-    shown.combo = std::max(shown.combo, game.combo());
+    shown.combo = std::max(shown.combo, game.counts().combo);
     if (game.meter() < shown.leastMeter) {
         shown.leastMeter = shown.meterAfter = game.meter();
     }

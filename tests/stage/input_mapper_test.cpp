@@ -108,7 +108,7 @@ TEST(InputMapper, TheButtonThatServedPullsOnlyWhenPressedAgain) {
     InputMapper hands;
     Signals held;
     held.pullHeld = true;
-    hands.launch();
+    hands.launch({}, std::nullopt);
     hands.take(held, 0, 1);
     EXPECT_EQ(hands.next().force, Force::None);
     hands.take({}, 0, 1);
@@ -116,9 +116,61 @@ TEST(InputMapper, TheButtonThatServedPullsOnlyWhenPressedAgain) {
     EXPECT_EQ(hands.next().force, Force::Pull);
 }
 
+Signals holdingServe(float moved = 0) {
+    Signals signals = movingBy(moved);
+    signals.serveHeld = true;
+    return signals;
+}
+
+TEST(InputMapper, AHeldServeIsTurnedByTheMouseAndServedWhenReleased) {
+    InputMapper hands;
+    hands.take(movingBy(1.5f), 2, 1);
+    hands.launch(holdingServe(), kodo::Vec2{0, 1});
+    hands.take(holdingServe(3), 2, 1);
+    const Input held = hands.next();
+    EXPECT_FALSE(held.launch);
+    EXPECT_EQ(held.target, std::optional<std::int16_t>(3500)) << "the paddle stays";
+    ASSERT_TRUE(held.aim);
+    EXPECT_GT(*held.aim, 200);
+    hands.take(holdingServe(-6), 2, 1);
+    EXPECT_LT(*hands.next().aim, -200);
+    hands.take(movingBy(0), 2, 1);
+    const Input released = hands.next();
+    EXPECT_TRUE(released.launch);
+    EXPECT_LT(released.aim.value_or(0), -200);
+    EXPECT_FALSE(hands.next().launch);
+    EXPECT_FALSE(hands.next().aim);
+}
+
+TEST(InputMapper, AHeldServeIsTurnedByKeysAndStickUpToItsFlattestDirection) {
+    for (const bool keys : {true, false}) {
+        InputMapper hands;
+        hands.launch(holdingServe(), kodo::Vec2{0, 1});
+        Signals right = holdingServe();
+        right.rightHeld = keys;
+        right.stick = keys ? 0 : 1;
+        hands.take(right, 0, 1);
+        Input input = hands.next();
+        EXPECT_EQ(input.paddle, 0);
+        EXPECT_GT(input.aim.value_or(0), 0);
+        for (int tick = 0; tick < 2 * kTicksPerSecond; ++tick) {
+            input = hands.next();
+        }
+        EXPECT_NEAR(input.aim.value_or(0), kMostAim, 2);
+    }
+}
+
+TEST(InputMapper, AClickThatIsOverServesAtOnceAlongTheDirectionShown) {
+    InputMapper hands;
+    hands.launch({}, kodo::Vec2{0, 1});
+    const Input input = hands.next();
+    EXPECT_TRUE(input.launch);
+    EXPECT_FALSE(input.aim);
+}
+
 TEST(InputMapper, ALaunchCountsForOneTick) {
     InputMapper hands;
-    hands.launch();
+    hands.launch({}, std::nullopt);
     EXPECT_TRUE(hands.next().launch);
     EXPECT_FALSE(hands.next().launch);
 }

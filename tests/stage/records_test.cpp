@@ -175,7 +175,7 @@ TEST(Honours, ThoseOfALevelDependOnItsMarks) {
         statistics.update(game);
     }
     ASSERT_EQ(game.result(), Result::Won);
-    const int hits = statistics.paddleHits;
+    const int hits = game.counts().hits;
     ASSERT_GT(hits, 0);
     MedalMarks marks{"x", 0, {1, 2, 3}, hits, 5};
     EXPECT_TRUE(statistics.bestOf(game, &marks).fewHits);
@@ -187,7 +187,7 @@ TEST(Honours, ThoseOfALevelDependOnItsMarks) {
         game.tick(bot(game));
         statistics.update(game);
     }
-    EXPECT_EQ(statistics.paddleHits, hits);
+    EXPECT_EQ(game.counts().hits, hits);
     statistics.largestFall = 5;
     EXPECT_TRUE(statistics.bestOf(game, &marks).oneFall);
 }

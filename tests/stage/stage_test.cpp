@@ -84,6 +84,27 @@ TEST(Stage, EventsCauseSounds) {
     }
 }
 
+TEST(Stage, AHeldServeIsAimedByTheMouseAndServedWhenReleased) {
+    StageRig rig(StageRig::playing());
+    rig.frames(30);
+    const Vec2 before = rig.stage.game().serveHeading();
+    Signals held;
+    held.serveHeld = true;
+    held.clicked = true;
+    rig.frame(held);
+    held.clicked = false;
+    held.moved = 3;
+    rig.frame(held);
+    held.moved = 0;
+    rig.frame(held);
+    EXPECT_TRUE(rig.stage.game().serving());
+    const Vec2 aimed = rig.stage.game().serveHeading();
+    EXPECT_GT(aimed.x, before.x + Real(0.1));
+    rig.frames(2);
+    EXPECT_FALSE(rig.stage.game().serving());
+    EXPECT_EQ(rig.stage.game().serveHeading(), aimed);
+}
+
 TEST(Stage, SpaceServesAndTheHeldKeyMovesThePaddle) {
     StageRig rig(StageRig::playing());
     rig.frames(5);

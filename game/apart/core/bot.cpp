@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/bot.hpp>
-#include <apart/core/field.hpp>
+#include <apart/core/flight.hpp>
 #include <apart/core/generator.hpp>
-#include <apart/core/governor.hpp>
 #include <apart/core/paddle.hpp>
 #include <apart/core/tuning.hpp>
 
@@ -16,13 +15,12 @@ using kodo::Vec2;
 
 namespace {
 
-constexpr Real kRimMargin = Real(0.4);      // m; unused border of the dome
-constexpr Real kCatchHeight = 7;            // m; higher parts are ignored
-constexpr Real kSpareSeconds = Real(0.5);   // to return from a caught part to the ball
-constexpr Real kFarSeconds = 20;            // later arrivals are not predicted
-constexpr std::uint32_t kAimTicks = 600;    // then it picks another target
-constexpr Real kBentSeconds = Real(1) / 60; // time step of the prediction of bent paths
-constexpr int kBentSteps = 90;
+constexpr Real kRimMargin = Real(0.4);    // m; unused border of the dome
+constexpr Real kCatchHeight = 7;          // m; higher parts are ignored
+constexpr Real kSpareSeconds = Real(0.5); // to return from a caught part to the ball
+constexpr Real kFarSeconds = 20;          // later arrivals are not predicted
+constexpr std::uint32_t kAimTicks = 600;  // then it picks another target
+constexpr int kBentSteps = 90;            // of the prediction of bent paths
 constexpr Real kPullHeight = 8;           // m; lower balls are not pulled
 constexpr Real kPullSpare = 1;            // s; if a ball arrives earlier, no block is torn
 constexpr std::uint32_t kWhimTicks = 30;  // duration of a random choice of Erratic
@@ -55,30 +53,14 @@ Vec2 mirroredHeading(Vec2 heading, Real from, Real way) {
     return heading;
 }
 
-/// True if a wind or a well bends the paths of balls.
-bool isBent(const Game& game) {
-    const auto effects = game.effects();
-    return !game.level().wells.empty() || game.windSpeed() != 0 ||
-           std::any_of(effects.begin(), effects.end(),
-                       [](const Effect& effect) { return effect.power == Power::Well; });
-}
-
 /// Simulates the ball alone between the walls, with the same force fields.
 std::optional<Arrival> bentArrivalAt(const Game& game, const Ball& ball, Real height) {
-    kodo::World world;
-    world.setFields(game.world().fields());
-    for (const kodo::BodyDef& def : wallDefs()) {
-        world.add(def);
-    }
     const kodo::BodyView now = game.world()[ball.body];
-    const kodo::BodyId copy = addBall(world, now.position(), BallKind::Round);
-    kodo::BodyRef body = world[copy];
-    body.setVelocity(now.velocity());
+    LoneFlight flight(game, now.position(), ball.heading, now.velocity());
     for (int step = 1; step <= kBentSteps; ++step) {
-        world.step(kBentSeconds);
-        body.setVelocity(servoVelocity(body.velocity(), ball.heading, game.ballSpeed()));
-        if (body.position().y <= height) {
-            return Arrival{body.position().x, static_cast<Real>(step) * kBentSeconds};
+        flight.step();
+        if (flight.place().y <= height) {
+            return Arrival{flight.place().x, static_cast<Real>(step) * LoneFlight::kStep};
         }
     }
     return std::nullopt;
@@ -164,6 +146,26 @@ std::optional<Real> surestOffset(const Game& game, Real x, Vec2 heading) {
         const std::optional<Real> way = game.wayToBlock({x, meetingHeight(offset)}, leaving);
         if (way && (!best || *way < shortest)) {
             best = offset;
+            shortest = *way;
+        }
+    }
+    return best;
+}
+
+/// Direction of the serve (Input::aim) with the shortest path to a breakable block.
+std::optional<std::int16_t> surestServe(const Game& game) {
+    const auto balls = game.balls();
+    const auto riding =
+        std::find_if(balls.begin(), balls.end(), [](const Ball& ball) { return ball.riding; });
+    std::optional<std::int16_t> best;
+    Real shortest = 0;
+    for (int shot = -kShots; shot <= kShots && riding != balls.end(); ++shot) {
+        const auto aim = static_cast<std::int16_t>(kMostAim * shot / (2 * kShots));
+        const Vec2 heading = normalize(Vec2{static_cast<Real>(aim) / 1000, 1});
+        const std::optional<Real> way =
+            game.wayToBlock(game.world()[riding->body].position(), heading);
+        if (way && (!best || *way < shortest)) {
+            best = aim;
             shortest = *way;
         }
     }
@@ -360,6 +362,9 @@ Input bot(const Game& game, BotKind kind) {
         place = partToCatch(game, first.seconds).value_or(place);
         input.force = forceFor(game);
         input.launch = input.launch || first.seconds < kLeapSeconds;
+    }
+    if (kind == BotKind::Perfect) {
+        input.aim = surestServe(game);
     }
     const Real most = kFieldWidth / 2;
     input.target = static_cast<std::int16_t>(std::clamp(place, -most, most) * 1000);

@@ -124,9 +124,11 @@ struct BallLost {
 struct LifeLost {
     int livesLeft = 0;
 };
-/// No breakable block is left: won.
+/// No breakable block is left: won. Points of the end, by source.
 struct Cleared {
-    int score = 0;
+    int lives = 0;  // balls that are left
+    int prize = 0;  // see kPrizeFactor
+    int spared = 0; // Level::keep has not fallen
 };
 /// No life is left: lost.
 struct Lost {

@@ -16,8 +16,11 @@ void conclude(GameState& game) {
     if (game.counts.blocksLeft == 0) {
         endCollapse(game);
         game.result = Result::Won;
-        game.counts.score += game.counts.lives * kLifePoints;
-        game.events.emplace_back(Cleared{game.counts.score});
+        const Cleared won{.lives = game.counts.lives * kLifePoints,
+                          .prize = game.counts.prize(),
+                          .spared = game.keeps() ? kSparedPoints : 0};
+        game.counts.score += won.lives + won.prize + won.spared;
+        game.events.emplace_back(won);
     } else if (game.balls.empty()) {
         --game.counts.lives;
         game.counts.combo = 0; // a combo ends with the last ball
@@ -55,6 +58,9 @@ Game::Game(std::shared_ptr<const Level> level, std::uint32_t seed, Mode mode) {
 void Game::tick(const Input& input) {
     state_.events.clear();
     ++state_.tick;
+    if (input.aim) {
+        aimServe(state_, *input.aim);
+    }
     if (input.launch && result() == Result::Playing) {
         serving() ? serve(state_) : leap(state_);
     }

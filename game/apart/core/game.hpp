@@ -28,11 +28,9 @@ public:
 
     Result result() const { return state_.result; }
     std::uint32_t ticks() const { return state_.tick; }
+    const Counts& counts() const { return state_.counts; }
     std::int32_t score() const { return state_.counts.score; }
     std::int32_t lives() const { return state_.counts.lives; } // including the one in play
-    std::int32_t combo() const {
-        return state_.counts.combo;
-    } // blocks broken since the last paddle hit
     std::int32_t blocksLeft() const { return state_.counts.blocksLeft; } // breakable and not fallen
     std::int32_t blocksAtStart() const { return state_.counts.blocksAtStart; }
 

@@ -103,8 +103,8 @@ std::uint64_t GameState::hash() const {
     sum.add(static_cast<std::uint8_t>(mode));
     sum.add(tick);
     sum.add(static_cast<std::uint8_t>(result));
-    for (const std::int32_t number :
-         {counts.score, counts.lives, counts.combo, counts.blocksLeft, counts.blocksAtStart}) {
+    for (const std::int32_t number : {counts.score, counts.lives, counts.combo, counts.blocksLeft,
+                                      counts.blocksAtStart, counts.hits, counts.fullPrize}) {
         sum.add(number);
     }
     sum.add(counts.serves);

@@ -127,6 +127,7 @@ void judgeBall(GameState& game, const CollisionRecord& hit, BodyId ball) {
     if (hit.maxPointImpulse() < kSlightestImpact) {
         return;
     }
+    game.counts.hits += what == Role::Paddle ? 1 : 0;
     game.events.emplace_back(Struck{.ball = ball,
                                     .other = other,
                                     .what = what,

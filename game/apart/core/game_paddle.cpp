@@ -88,6 +88,13 @@ void newServe(GameState& game) {
     game.balls.push_back({ball, game.paddle.serveHeading, true, kind});
 }
 
+void aimServe(GameState& game, std::int16_t aim) {
+    if (game.serving()) {
+        const std::int16_t held = std::clamp<std::int16_t>(aim, -kMostAim, kMostAim);
+        game.paddle.serveHeading = normalize(Vec2{static_cast<Real>(held) / 1000, 1});
+    }
+}
+
 void serve(GameState& game) {
     for (Ball& ball : game.balls) {
         if (ball.riding) {
@@ -96,6 +103,7 @@ void serve(GameState& game) {
             kodo::BodyRef body = game.world[ball.body];
             body.setType(kodo::BodyType::Dynamic);
             body.setVelocity(game.ballSpeed() * game.paddle.serveHeading);
+            ++game.counts.hits;
             game.events.emplace_back(Served{ball.body, body.position(), game.paddle.serveHeading});
         }
     }

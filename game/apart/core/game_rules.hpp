@@ -17,6 +17,8 @@ void driveBoss(GameState& game);
 // game_paddle.cpp: paddle, serve, and the parts that stick to the paddle.
 void newPaddle(GameState& game);
 void newServe(GameState& game);
+/// Turns the next serve to x/y in 1/1000, kMostAim at most.
+void aimServe(GameState& game, std::int16_t aim);
 void serve(GameState& game);
 void leap(GameState& game);
 void steer(GameState& game, const Input& input);

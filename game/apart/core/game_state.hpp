@@ -9,6 +9,7 @@
 #include <apart/core/things.hpp>
 #include <kodo/kodo.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -28,6 +29,11 @@ struct Counts {
     std::int32_t blocksLeft = 0; // breakable and not fallen
     std::int32_t blocksAtStart = 0;
     std::uint32_t serves = 0;
+    std::int32_t hits = 0;      // of balls on the paddle; a serve is one
+    std::int32_t fullPrize = 0; // points of a game won with one hit
+
+    /// Points for few hits, if the game were won now.
+    std::int32_t prize() const { return fullPrize / std::max(hits, 1); }
 };
 
 struct Paddle {

@@ -18,6 +18,8 @@ struct Input {
     std::optional<std::int16_t> target{}; // mouse: x in 1/1000 m; overrides `paddle`
     bool launch = false;                  // serves a riding ball; leaps, with Power::Spring
     Force force = Force::None;            // active while its button is held
+    std::optional<std::int16_t> aim{};    // direction of the serve, x/y in 1/1000; it holds until
+                                          // the next one
 
     friend bool operator==(const Input&, const Input&) = default;
 };

@@ -219,16 +219,6 @@ private:
 
 } // namespace
 
-std::int32_t paddleHitsOf(const Game& game) {
-    const auto hits =
-        std::count_if(game.events().begin(), game.events().end(), [](const Event& event) {
-            const auto* struck = std::get_if<Struck>(&event);
-            return (struck != nullptr && struck->what == Role::Paddle) ||
-                   std::holds_alternative<Served>(event);
-        });
-    return static_cast<std::int32_t>(hits);
-}
-
 BotRun runBot(const Level& level, std::uint32_t seed, std::uint32_t mostTicks, BotKind kind) {
     Game game(level, seed);
     GameObserver observer;
@@ -247,7 +237,6 @@ BotRun runBot(const Level& level, std::uint32_t seed, std::uint32_t mostTicks, B
             hit = isHit(game);
             run.firstHit = game.ticks() - *served;
         }
-        run.paddleHits += paddleHitsOf(game);
         run.mostBodies = std::max(run.mostBodies, game.world().bodyCount());
         run.work += stepStats(game.world()).bodies + stepStats(game.world()).contacts;
     }
@@ -255,6 +244,7 @@ BotRun runBot(const Level& level, std::uint32_t seed, std::uint32_t mostTicks, B
     run.ticks = game.ticks();
     run.result = game.result();
     run.score = game.score();
+    run.paddleHits = game.counts().hits;
     run.largestFall = game.collapse().largest;
     run.livesLost = level.lives - game.lives();
     run.cleared = 1 - static_cast<double>(game.blocksLeft()) / std::max(game.blocksAtStart(), 1);

@@ -32,8 +32,6 @@ struct BotRun {
     double cleared = 0;     // 0..1, share of the blocks that broke or fell
     std::uint64_t work = 0; // bodies and contacts visited, summed over all ticks
 };
-/// Hits of balls on the paddle in the last tick; a serve is one.
-std::int32_t paddleHitsOf(const Game& game);
 
 /// Plays until the game ends or `mostTicks` have passed.
 BotRun runBot(const Level& level, std::uint32_t seed, std::uint32_t mostTicks,

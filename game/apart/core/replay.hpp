@@ -18,14 +18,16 @@ namespace apart {
 /// A game as text. Level, seed and inputs reproduce it bit for bit. A hand-written replay with
 /// `expect` lines is a test.
 ///
-///   apart-replay 2                   # format, always the first line; format 1 has no force
+///   apart-replay 3                   # format, always the first line; format 1 has no force,
+///                                    # format 2 no aim
 ///   level keystones 0f3c...          # name; digest of its content, optional if hand-written
 ///   rules 1                          # kRulesVersion of the recording; optional if hand-written
 ///   seed 7
 ///   pure                             # Mode::Pure
 ///   handwritten                      # then there is no digest at the end
-///   # tick  paddle  target  launch  force
+///   # tick  paddle  target  launch  force  aim
 ///   0       0       -       0       0
+///   20      0       -       0       0      -400
 ///   30      0       -       1
 ///   140     -127    -       0       pull
 ///   hash 60 5c1d... 120 91ab...      # state after so many ticks; any number of pairs
@@ -38,8 +40,8 @@ namespace apart {
 ///   digest 77aa...                   # over all bytes before this line
 ///
 /// The input line of tick t is applied to the state after t ticks and holds until the next line.
-/// See Input. A target of - is none. force is 0, pull or push, and may be omitted. # starts a
-/// comment. game/replays.md describes the format and all fields.
+/// See Input. A target or aim of - is none. force is 0, pull or push; it and aim may be omitted.
+/// # starts a comment. game/replays.md describes the format and all fields.
 struct InputChange {
     std::uint32_t tick = 0;
     Input input;

@@ -157,7 +157,7 @@ std::int64_t valueOfState(const Game& game, Field field) {
     case Field::Lives:
         return game.lives();
     case Field::Combo:
-        return game.combo();
+        return game.counts().combo;
     case Field::Balls:
         return static_cast<std::int64_t>(game.balls().size());
     case Field::Shards:
@@ -193,6 +193,12 @@ std::int64_t valueOfState(const Game& game, Field field) {
         return static_cast<std::int64_t>(game.result());
     case Field::PowerTicks:
         return powerTicks(game);
+    case Field::PaddleHits:
+        return game.counts().hits;
+    case Field::Prize:
+        return game.counts().prize();
+    case Field::ServeX:
+        return inThousandths(game.serveHeading().x / game.serveHeading().y);
     default:
         break;
     }

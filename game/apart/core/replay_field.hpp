@@ -61,6 +61,9 @@ enum class Field : std::uint8_t {
     Bounces,
     ThrownBounces,
     PowerTicks, // ticks that the power that ends first is still active; 0: none
+    PaddleHits, // of balls; a serve is one
+    Prize,      // points, if the game were won now
+    ServeX,     // 1/1000, x/y of the direction of the next serve
     // Values of the last event; 0 before the first.
     HitImpulse, // 1/1000 N s, of Struck
     HitX,       // 1/1000 m
@@ -89,7 +92,7 @@ inline constexpr std::array<std::string_view, kValueFields + kEventKinds> kField
     "momentumY", "pieceMomentumX", "pieceMomentumY", "pieceSpin", "pieceSpeed", "pieceMass",
     "pieceX", "pieceY", "pieceMassAll", "mountImpulseX", "mountImpulseY", "mountTurn",
     "fieldImpulseX", "fieldImpulseY", "servoWork", "fieldWork", "breakWork", "kickWork",
-    "removedMass", "bounces", "thrownBounces", "powerTicks",
+    "removedMass", "bounces", "thrownBounces", "powerTicks", "paddleHits", "prize", "serveX",
     // Of the last event.
     "hitImpulse", "hitX", "hitY", "crackImpulse", "crackBlock", "breakImpulse", "breakX", "breakY",
     "breakBlock", "breakPieces", "pieceImpulse", "pieceBroken", "collapseSize", "snapForce",

@@ -2,6 +2,7 @@
 #include <apart/core/expectation_reader.hpp>
 #include <apart/core/replay.hpp>
 #include <apart/core/replay_words.hpp>
+#include <apart/core/tuning.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -10,6 +11,8 @@
 namespace apart {
 
 namespace {
+
+constexpr std::int64_t kFormat = 3; // the newest
 
 constexpr const char* kHowToEdit =
     "To edit a replay, remove its digest line and add a line handwritten below the seed";
@@ -90,15 +93,14 @@ private:
             words.size() == 2 && words[0] == "apart-replay" ? toNumber(words[1]) : std::nullopt;
         if (!format || *format < 1) {
             return "not a replay of this game: its first line, but for comments, must be "
-                   "apart-replay "
-                   "2";
+                   "apart-replay 3";
         }
-        if (*format > 2) {
+        if (*format > kFormat) {
             return "was written by a newer game: it has format " + std::to_string(*format) +
-                   ", and this game reads up to 2";
+                   ", and this game reads up to " + std::to_string(kFormat);
         }
         begun_ = true;
-        hasForce_ = *format == 2;
+        format_ = *format;
         return "";
     }
 
@@ -140,9 +142,12 @@ private:
         if (!tick) {
             return quoted(words[0]) + " is neither a tick nor a word of the format";
         }
-        if (words.size() != 4 && (words.size() != 5 || !hasForce_)) {
-            return hasForce_ ? "an input line has the columns tick paddle target launch force"
-                             : "an input line has four columns: tick paddle target launch";
+        const auto columns = static_cast<std::size_t>(3 + format_); // the last may be omitted
+        if (words.size() < 4 || words.size() > columns) {
+            return format_ == 1 ? "an input line has four columns: tick paddle target launch"
+                                : std::string("an input line has the columns tick paddle target "
+                                              "launch force") +
+                                      (format_ == 2 ? "" : " aim");
         }
         if (!replay_.inputs.empty() && *tick <= replay_.inputs.back().tick) {
             return "the ticks of input lines must rise";
@@ -165,11 +170,19 @@ private:
         }
         input.launch = words[3] == "1";
         const std::optional<std::size_t> force =
-            indexOf(words.size() == 5 ? words[4] : "0", kForceNames);
+            indexOf(words.size() > 4 ? words[4] : "0", kForceNames);
         if (!force) {
             return "force must be 0, pull or push";
         }
         input.force = static_cast<Force>(*force);
+        if (words.size() == 6 && words[5] != "-") {
+            const std::optional<std::int64_t> aim = toNumber(words[5]);
+            if (!aim || *aim < -kMostAim || *aim > kMostAim) {
+                return "aim must be - or a whole number from -" + std::to_string(kMostAim) +
+                       " to " + std::to_string(kMostAim);
+            }
+            input.aim = static_cast<std::int16_t>(*aim);
+        }
         replay_.inputs.push_back({*tick, input});
         return "";
     }
@@ -278,7 +291,7 @@ private:
     int line_ = 1;
     std::size_t lineStart_ = 0;
     bool begun_ = false;
-    bool hasForce_ = false; // the format has the column force
+    std::int64_t format_ = kFormat; // 1 lacks the column force, 2 the column aim
     bool hasSeed_ = false;
     bool ended_ = false;
     bool hasDigest_ = false;

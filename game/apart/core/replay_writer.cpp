@@ -37,7 +37,7 @@ std::string Playback::Failure::text() const {
 }
 
 std::string toText(const Replay& replay) {
-    std::string text = "apart-replay 2\nlevel " + replay.level;
+    std::string text = "apart-replay 3\nlevel " + replay.level;
     if (replay.levelDigest) {
         text += " " + toHex(*replay.levelDigest);
     }
@@ -52,12 +52,13 @@ std::string toText(const Replay& replay) {
     if (replay.handwritten) {
         text += "handwritten\n";
     }
-    text += "# tick paddle target launch force\n";
+    text += "# tick paddle target launch force aim\n";
     for (const auto& [tick, input] : replay.inputs) {
         text += std::to_string(tick) + " " + std::to_string(input.paddle) + " " +
                 (input.target ? std::to_string(*input.target) : "-") +
                 (input.launch ? " 1 " : " 0 ") +
-                std::string(kForceNames[static_cast<std::size_t>(input.force)]) + "\n";
+                std::string(kForceNames[static_cast<std::size_t>(input.force)]) +
+                (input.aim ? " " + std::to_string(*input.aim) : "") + "\n";
     }
     for (const HashMark& mark : replay.hashes) {
         text += "hash " + std::to_string(mark.tick) + " " + toHex(mark.hash) + "\n";

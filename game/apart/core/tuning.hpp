@@ -12,7 +12,7 @@ namespace apart {
 using kodo::Real;
 
 // To be raised whenever the same inputs give another game. Older replays are then refused.
-inline constexpr std::uint32_t kRulesVersion = 30;
+inline constexpr std::uint32_t kRulesVersion = 31;
 
 inline constexpr int kTicksPerSecond = 120;
 inline constexpr Real kTickSeconds = Real(1) / 120;
@@ -42,7 +42,8 @@ inline constexpr Real kMostSpin = 25;          // rad/s; limit applied by the go
 inline constexpr Real kLostDepth = Real(0.7);  // below the field; deeper balls are lost
 inline constexpr std::size_t kMostBalls = 8;   // further balls of a split become shards
 inline constexpr Real kSpeedUp = Real(0.35);   // relative gain of speed up to the last block
-inline constexpr Real kServeSlope = Real(0.6); // |x/y| of the flattest serve
+inline constexpr Real kServeSlope = Real(0.6); // |x/y| of the flattest serve that is not aimed
+inline constexpr std::int16_t kMostAim = 1732; // 1/1000, |x/y| of the flattest aimed serve
 inline constexpr Real kServeSeconds = 1;       // of flight within which a serve is to meet a block
 inline constexpr int kServeDraws = 32;         // of directions, until one does
 inline constexpr Real kFarSight = 40;          // m; length of casts along a ball's path
@@ -118,8 +119,11 @@ inline constexpr std::array<Real, 5> kStuffDensity = {Real(0.4), Real(0.4), Real
 inline constexpr std::array<std::int32_t, 5> kPoints = {50, 70, 100, 200, 0};
 inline constexpr std::int32_t kPowerPoints = 50;
 inline constexpr std::int32_t kCatchPoints = 100;
-inline constexpr std::int32_t kLifePoints = 1000; // for each life left at the end
-inline constexpr std::int32_t kMostCombo = 8;     // largest factor of points
+inline constexpr std::int32_t kLifePoints = 1000;   // for each life left at the end
+inline constexpr std::int32_t kSparedPoints = 2000; // for what Level::keep spares
+// The prize of a won level: its blocks' points times this, divided by the hits of the paddle.
+inline constexpr std::int32_t kPrizeFactor = 16;
+inline constexpr std::int32_t kMostCombo = 8; // largest factor of points
 
 // Obstructions.
 inline constexpr kodo::Material kObstructionMaterial = kodo::withFriction(Real(0.3), 1);

@@ -111,6 +111,7 @@ void HeldKeys::take(const Pad& pad, Signals& signals) {
     };
     signals.pullHeld = signals.pullHeld || held(Act::Pull);
     signals.pushHeld = signals.pushHeld || held(Act::Push);
+    signals.serveHeld = signals.serveHeld || held(Act::Serve);
     const std::array<int, 2> tilt = {signOf(x), signOf(beyondDeadZone(pad.padY))};
     if (tilt != padTilt_) { // a menu moves once per press
         padTilt_ = tilt;

@@ -50,6 +50,7 @@ Signals SfmlControls::poll() {
     signals.rightHeld = keys_.holds(Act::Right);
     signals.pullHeld = keys_.holds(Act::Pull) || buttons_[0];
     signals.pushHeld = keys_.holds(Act::Push) || buttons_[1];
+    signals.serveHeld = keys_.holds(Act::Serve) || buttons_[0];
     signals.pointerNow = pointer_;
     signals.dragging = dragging_ && !captured_;
     pollPad(signals);

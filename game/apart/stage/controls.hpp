@@ -31,6 +31,7 @@ struct Signals {
     bool rightHeld = false;
     bool pullHeld = false;               // a key, or the left button of a captured mouse
     bool pushHeld = false;               // a key, or the right button of a captured mouse
+    bool serveHeld = false;              // a key, a button, or the left one of a captured mouse
     kodo::Real stick = 0;                // -1..1, of a gamepad; 0 within its dead zone
     kodo::Real moved = 0;                // m to the right, by a captured mouse
     std::optional<kodo::Vec2> pointer{}; // m; new position of a free mouse, if it moved

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <apart/core/flight.hpp>
 #include <apart/core/tuning.hpp>
 #include <apart/stage/block_painter.hpp>
 #include <apart/stage/field_painter.hpp>
@@ -127,23 +128,26 @@ void paintShards(Canvas& canvas, const Moment& moment) {
     }
 }
 
-/// Paints the direction of the serve.
+/// Paints the first leg of the serve, with the ball where it touches.
 void paintAim(Canvas& canvas, const Moment& moment) {
     if (!moment.game.serving() || moment.game.result() != Result::Playing) {
         return;
     }
-    for (const Ball& ball : moment.game.balls()) {
-        if (!ball.riding) {
-            continue;
+    constexpr Real kGap = Real(0.55); // m, between two dots
+    const std::vector<Vec2> leg = firstLeg(moment.game);
+    Real next = kGap * (1 + static_cast<Real>(moment.game.ticks() % 40) / 40); // m, along the leg
+    Real walked = 0;
+    for (std::size_t i = 1; i < leg.size(); ++i) {
+        const Real length = kodo::length(leg[i] - leg[i - 1]);
+        for (; next < walked + length; next += kGap) {
+            const Vec2 dot = leg[i - 1] + (next - walked) / length * (leg[i] - leg[i - 1]);
+            const Color color = faded(palette::kAccent, 0.75f);
+            canvas.disc(dot, Real(0.08), color, color);
         }
-        const Vec2 start = moment.placeOf(ball.body).position;
-        const Real flow = static_cast<Real>(moment.game.ticks() % 40) / 40;
-        for (int i = 1; i <= 7; ++i) {
-            const Real along = Real(0.55) * (static_cast<Real>(i) + flow);
-            const float left = 1 - static_cast<float>(i) / 8;
-            const Color color = faded(palette::kAccent, 0.75f * left);
-            canvas.disc(start + along * moment.game.serveHeading(), Real(0.09), color, color);
-        }
+        walked += length;
+    }
+    if (!leg.empty()) {
+        canvas.ring(leg.back(), Real(0.9) * kBallRadius, Real(0.06), faded(palette::kAccent, 0.9f));
     }
 }
 

@@ -67,7 +67,7 @@ Caption captionOf(HelpTopic topic, const Game& game, const Bindings& keys) {
     case HelpTopic::Moods:
         return {"marks", "", "parts: disc good, square mixed, triangle bad"};
     case HelpTopic::Combo:
-        return {"combo", game.combo() > 1 ? fmt::format("x{}", game.combo()) : "",
+        return {"combo", game.counts().combo > 1 ? fmt::format("x{}", game.counts().combo) : "",
                 "breaks without a touch count up to eightfold"};
     case HelpTopic::Honours:
         return {"honours", "medals by score", ""};
@@ -83,9 +83,10 @@ struct Honour {
 
 std::array<Honour, 3> honoursOf(const Game& game) {
     const bool won = game.result() == Result::Won;
-    return {{{"cleared", won},
-             {"no ball lost", won && game.lives() == game.level().lives},
-             {"8 in one combo or fall", std::max(game.combo(), game.collapse().largest) >= 8}}};
+    return {
+        {{"cleared", won},
+         {"no ball lost", won && game.lives() == game.level().lives},
+         {"8 in one combo or fall", std::max(game.counts().combo, game.collapse().largest) >= 8}}};
 }
 
 /// Lines of a text at the current size, within `room` (m).

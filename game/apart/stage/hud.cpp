@@ -78,11 +78,22 @@ void paintLives(Canvas& canvas, const Game& game) {
     }
 }
 
+/// Hits so far, and the prize that they leave.
+void paintHits(Canvas& canvas, const Game& game) {
+    const Real y = Real(9.85);
+    const Vec2 middle{kPanelLeft + Real(2.3), y};
+    canvas.text(fmt::format("HITS  {}", game.counts().hits), {kPanelLeft, y},
+                {Real(0.42), palette::kQuiet, Typeface::Plain, Align::Left, Real(2.1)});
+    canvas.text(
+        "prize " + grouped(game.counts().prize()), middle,
+        {Real(0.42), palette::kAccent, Typeface::Bold, Align::Left, kPanelRoom - Real(2.3)});
+}
+
 void paintProgress(Canvas& canvas, const Game& game) {
     const int all = std::max<int>(game.blocksAtStart(), 1);
     const int left = game.blocksLeft();
-    canvas.text(fmt::format("BLOCKS LEFT  {}", left), {kPanelLeft, Real(9.85)}, quiet(Real(0.42)));
-    paintBar(canvas, barAt(Real(9.4)), static_cast<Real>(left) / static_cast<Real>(all),
+    canvas.text(fmt::format("BLOCKS LEFT  {}", left), {kPanelLeft, Real(9.0)}, quiet(Real(0.42)));
+    paintBar(canvas, barAt(Real(8.55)), static_cast<Real>(left) / static_cast<Real>(all),
              palette::kText);
 }
 
@@ -91,33 +102,34 @@ void paintMeter(Canvas& canvas, const Game& game) {
     const char* word = game.force() == Force::Pull   ? "PULL"
                        : game.force() == Force::Push ? "PUSH"
                                                      : "PULL / PUSH";
-    canvas.text(word, {kPanelLeft, Real(8.6)},
+    canvas.text(word, {kPanelLeft, Real(7.8)},
                 {Real(0.42), acts ? palette::kPaddle : palette::kQuiet, Typeface::Plain,
                  Align::Left, kPanelRoom});
-    paintBar(canvas, barAt(Real(8.15)), game.meter(),
+    paintBar(canvas, barAt(Real(7.35)), game.meter(),
              game.meter() > Real(0.15) ? palette::kPaddle : palette::kDanger);
 }
 
 void paintCombo(Canvas& canvas, const Game& game) {
-    if (game.combo() < 2) {
+    if (game.counts().combo < 2) {
         return;
     }
     // The size grows with the combo while there is room for its digits.
-    const bool wide = game.combo() >= 10;
-    const Real size = wide ? Real(0.7) : Real(0.56) + Real(0.022) * static_cast<Real>(game.combo());
-    canvas.text(fmt::format("combo x{}", game.combo()), {kPanelLeft, Real(7.1)},
+    const bool wide = game.counts().combo >= 10;
+    const Real size =
+        wide ? Real(0.7) : Real(0.56) + Real(0.022) * static_cast<Real>(game.counts().combo);
+    canvas.text(fmt::format("combo x{}", game.counts().combo), {kPanelLeft, Real(6.35)},
                 display(size, palette::kAccent));
 }
 
 /// Paints the powers of this level with their remaining time, active ones first.
 void paintPowers(Canvas& canvas, const Game& game) {
     constexpr Real kLongest = static_cast<Real>(kEffectTicks) / kTicksPerSecond; // s
-    constexpr std::size_t kMost = 7; // limited by the height of the panel
+    constexpr std::size_t kMost = 6; // limited by the height of the panel
     std::vector<Power> powers = powersOf(game.level());
     std::stable_partition(powers.begin(), powers.end(),
                           [&](Power power) { return game.secondsLeft(power) > 0; });
     powers.resize(std::min(powers.size(), kMost));
-    Real y = Real(6.0);
+    Real y = Real(5.35);
     for (const Power power : powers) {
         const Real left = game.secondsLeft(power);
         const Color color = canvas.palette().of(power);
@@ -242,6 +254,7 @@ void paintHud(Canvas& canvas, const Game& game, const HudLook& look) {
     paintLevel(canvas, game, look);
     paintScore(canvas, game, look);
     paintLives(canvas, game);
+    paintHits(canvas, game);
     paintProgress(canvas, game);
     paintMeter(canvas, game);
     paintCombo(canvas, game);

@@ -15,10 +15,13 @@ class InputMapper {
 public:
     /// Call once per frame; the state applies from the next tick. Without a target, mouse
     /// displacements count from `paddleX` (m). `speed` is the ratio of target displacement to mouse
-    /// displacement.
+    /// displacement. While the serve is held, all of it turns the serve instead.
     void take(const Signals& signals, kodo::Real paddleX, kodo::Real speed);
-    /// Launches at the next tick. The launching button pulls only after a release.
-    void launch() { launch_ = pullSpent_ = true; }
+    /// Launches at the next tick. A ball that rides (`serve`: its heading) waits until the button
+    /// is released. That button pulls only after a release.
+    void launch(const Signals& signals, std::optional<kodo::Vec2> serve);
+    /// True while the serve is held.
+    bool aims() const { return angle_.has_value(); }
     /// Input of one more tick.
     Input next();
     /// Clears all input, for instance when the screen changes.
@@ -29,9 +32,10 @@ private:
     int speed_ = 0;        // 0..127, while a key is held
     kodo::Real stick_ = 0; // -1..1
     Force force_ = Force::None;
-    bool launch_ = false;
+    bool launch_ = false; // at the next tick
     bool pullSpent_ = false;
     std::optional<kodo::Real> target_; // m; valid until a key is pressed
+    std::optional<kodo::Real> angle_;  // rad, from the vertical to the right; while aiming
 };
 
 } // namespace apart

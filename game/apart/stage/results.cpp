@@ -44,6 +44,11 @@ void paintScoreLines(Canvas& canvas, const ResultsLook& look) {
     }
     if (look.game.result() == Result::Won) {
         line("left", countText(look.game.lives(), "ball"), run.points.lives);
+        line("prize", fmt::format("divided by {}", countText(look.game.counts().hits, "hit")),
+             run.points.prize);
+    }
+    if (run.points.spared > 0) {
+        line("spared", "the " + look.game.level().keepName, run.points.spared);
     }
     if (look.score != run.points.sum()) {
         line("before", "earlier levels", look.score - run.points.sum());

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <apart/core/lint.hpp>
 #include <apart/core/tuning.hpp>
 #include <apart/stage/run_statistics.hpp>
 
@@ -22,16 +21,15 @@ void RunStatistics::update(const Game& game) {
         } else if (std::holds_alternative<Caught>(event)) {
             points.caught += kCatchPoints;
             ++caught;
-        } else if (std::holds_alternative<Cleared>(event)) {
-            points.lives = game.lives() * kLifePoints;
+        } else if (const auto* won = std::get_if<Cleared>(&event)) {
+            points.lives = won->lives;
+            points.prize = won->prize;
+            points.spared = won->spared;
         } else if (const auto* collapse = std::get_if<Collapsed>(&event)) {
             lastFall = collapse->blocks;
             lastFallTick = game.ticks();
         }
         lifeLost = lifeLost || std::holds_alternative<LifeLost>(event);
-    }
-    if (game.result() == Result::Playing || game.ticks() == ticks + 1) {
-        paddleHits += paddleHitsOf(game);
     }
     cleared = game.blocksAtStart() - game.blocksLeft();
     largestFall = game.collapse().largest;
@@ -48,7 +46,7 @@ Best RunStatistics::bestOf(const Game& game, const MedalMarks* marks) const {
     Best best{game.score(), won, won && !lifeLost, std::max(bestCombo, largestFall) >= kMostCombo};
     best.kept = won && keptAtEnd;
     if (marks != nullptr) {
-        best.fewHits = won && marks->fewHits > 0 && paddleHits <= marks->fewHits;
+        best.fewHits = won && marks->fewHits > 0 && game.counts().hits <= marks->fewHits;
         best.oneFall = marks->oneFall > 0 && largestFall >= marks->oneFall;
     }
     return best;

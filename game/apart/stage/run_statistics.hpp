@@ -14,8 +14,10 @@ struct ScoreParts {
     std::int32_t dropped = 0; // other blocks that fell out of the field
     std::int32_t caught = 0;  // parts
     std::int32_t lives = 0;   // balls left at the end
+    std::int32_t prize = 0;   // for few hits
+    std::int32_t spared = 0;  // Level::keep
 
-    std::int32_t sum() const { return broken + fallen + dropped + caught + lives; }
+    std::int32_t sum() const { return broken + fallen + dropped + caught + lives + prize + spared; }
 };
 
 /// Statistics of one game, for the result screen.
@@ -30,7 +32,6 @@ struct RunStatistics {
     int bestCombo = 0;
     int cleared = 0;     // blocks that broke or fell
     int largestFall = 0; // most blocks of one collapse
-    int paddleHits = 0;
     bool lifeLost = false;
     bool keptAtEnd = false;  // Game::keeps() in the last tick of the game
     std::uint32_t ticks = 0; // until the end of the game

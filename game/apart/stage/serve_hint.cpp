@@ -229,9 +229,10 @@ void paintServeHint(Canvas& canvas, const Game& game, const Bindings& keys) {
     if (game.score() > 0) {
         return painter.paintAnyway(serve);
     }
-    const HintGroup forces = {{fmt::format("left button, {}: pull      right button, {}: push",
-                                           keys.prompt(Act::Pull), keys.prompt(Act::Push)),
-                               0, Real(0.42), palette::kQuiet}};
+    const HintGroup forces = {
+        {fmt::format("held: aim      left button, {}: pull      right button, {}: push",
+                     keys.prompt(Act::Pull), keys.prompt(Act::Push)),
+         0, Real(0.42), palette::kQuiet}};
     const HintGroup foot = stacked(serve, forces, Real(0.8));
     std::vector<HintGroup> titles = titleGroups(canvas, game.level());
     std::vector<HintGroup> whole;

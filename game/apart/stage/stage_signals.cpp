@@ -156,8 +156,9 @@ void Stage::takePlaying(const Signals& signals) {
     inputMapper_.take(signals, paddleX, static_cast<Real>(settings().mouse / kPercent));
     const bool over = game.result() != Result::Playing;
     const bool clickLaunches = game.serving() || game.secondsLeft(Power::Spring) > 0;
+    const auto serve = game.serving() ? std::optional(game.serveHeading()) : std::nullopt;
     if (signals.clicked && clickLaunches) {
-        inputMapper_.launch();
+        inputMapper_.launch(signals, serve);
     }
     if (signals.clicked && over) {
         return finish();
@@ -169,7 +170,7 @@ void Stage::takePlaying(const Signals& signals) {
             if (over) {
                 return finish();
             }
-            inputMapper_.launch();
+            inputMapper_.launch(signals, serve);
             break;
         case Command::Back:
         case Command::Pause:

@@ -14,7 +14,8 @@ using kodo_draw::Pixel;
 namespace {
 
 constexpr const char* kElement = "#canvas";
-constexpr float kTapWay = 12; // pixels of the page; a finger that moves farther does not tap
+constexpr float kTapWay = 12;      // pixels of the page; a finger that moves farther does not tap
+constexpr double kLongPress = 300; // ms
 
 /// Codes whose names differ from kKeyNames by more than case.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 27> kCodes = {{
@@ -130,6 +131,7 @@ WebControls::WebControls(const MeshCanvas& canvas) : canvas_(canvas) {
 
 Signals WebControls::poll() {
     pollPad();
+    pressLong();
     Signals signals = std::exchange(signals_, {});
     signals.leftHeld = keys_.holds(Act::Left);
     signals.rightHeld = keys_.holds(Act::Right);
@@ -137,6 +139,8 @@ Signals WebControls::poll() {
     const bool pushes = captured_ && fingers_ > 2;
     signals.pullHeld = signals.pullHeld || keys_.holds(Act::Pull) || buttons_[0] || pulls;
     signals.pushHeld = signals.pushHeld || keys_.holds(Act::Push) || buttons_[1] || pushes;
+    const bool aims = finger_ && finger_->aims;
+    signals.serveHeld = signals.serveHeld || keys_.holds(Act::Serve) || buttons_[0] || aims;
     signals.pointerNow = pointer_;
     signals.dragging = dragging_ && !captured_;
     return signals;
@@ -220,6 +224,15 @@ bool WebControls::onWheel(const EmscriptenWheelEvent& event) {
     return true;
 }
 
+/// A finger that rests in a game for a while holds the serve.
+void WebControls::pressLong() {
+    const bool rests = captured_ && finger_ && !finger_->moved && !finger_->aims;
+    if (rests && emscripten_get_now() - finger_->since > kLongPress) {
+        finger_->aims = true;
+        signals_.commands.push_back(Command::Launch);
+    }
+}
+
 void WebControls::tap(const Finger& finger) {
     if (captured_) {
         signals_.commands.push_back(Command::Launch);
@@ -240,7 +253,7 @@ bool WebControls::onTouch(int type, const EmscriptenTouchEvent& event) {
             point.isChanged;
         fingers_ += ends ? 0 : 1;
         if (!finger_ && !ends) {
-            finger_ = Finger{point.identifier, page, page, false};
+            finger_ = Finger{point.identifier, page, page, emscripten_get_now()};
             movePointer(page);
             dragging_ = true;
         }
@@ -256,7 +269,8 @@ bool WebControls::onTouch(int type, const EmscriptenTouchEvent& event) {
         }
         finger_->last = page;
         if (ends) {
-            if (!finger_->moved && type == EMSCRIPTEN_EVENT_TOUCHEND) {
+            const bool tapped = !finger_->moved && !finger_->aims;
+            if (tapped && type == EMSCRIPTEN_EVENT_TOUCHEND) {
                 tap(*finger_);
             }
             finger_.reset();

@@ -14,8 +14,8 @@ namespace apart {
 
 /// Keyboard, mouse, touch screen and gamepad of a page.
 ///
-/// Touch: a finger that moves, moves the paddle; a tap serves; a second finger pulls, a third one
-/// pushes instead. In menus a finger is a mouse.
+/// Touch: a finger that moves, moves the paddle; a tap serves; a finger that rests aims until it is
+/// lifted; a second finger pulls, a third one pushes instead. In menus a finger is a mouse.
 class WebControls final : public Controls {
 public:
     explicit WebControls(const MeshCanvas& canvas);
@@ -38,7 +38,9 @@ private:
         long id = 0;
         kodo_draw::Pixel start; // pixels of the page
         kodo_draw::Pixel last;
+        double since = 0; // ms
         bool moved = false;
+        bool aims = false; // holds the serve
     };
 
     bool onKey(int type, const EmscriptenKeyboardEvent& event);
@@ -48,6 +50,7 @@ private:
     void pollPad();
     Vec2 fieldPoint(kodo_draw::Pixel page) const;
     void movePointer(kodo_draw::Pixel page);
+    void pressLong();
     void tap(const Finger& finger);
 
     const MeshCanvas& canvas_;
