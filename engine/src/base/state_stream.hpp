@@ -99,6 +99,7 @@ public:
 
     bool reads() const { return reads_; }
     std::size_t left() const { return remaining_.size(); } // bytes not yet read
+    std::span<const std::byte> written() const { return {written_.data(), size_}; }
     std::vector<std::byte> takeWritten() {
         written_.resize(std::exchange(size_, 0));
         return std::exchange(written_, {});
@@ -147,7 +148,7 @@ private:
         if constexpr (hasOwnState<Value>) {
             value.visitState(*this);
         } else if constexpr (isPlain<Value>()) {
-            block(&value, sizeof value);
+            block<sizeof(Value)>(&value);
         } else if constexpr (isId<Value>) {
             auto& [index, generation, world] = value;
             (*this)(index, generation);
@@ -219,23 +220,21 @@ private:
         std::array<std::byte, sizeof(Number)> bytes;
         std::memcpy(&bytes, &value, sizeof value);
         std::reverse(bytes.begin(), bytes.end());
-        block(&bytes, sizeof bytes);
+        block<sizeof(Number)>(&bytes);
         std::reverse(bytes.begin(), bytes.end());
         std::memcpy(&value, &bytes, sizeof value);
     }
-    void block(void* value, std::size_t size) {
-        if (reads_) {
-            require(left() >= size, "the bytes end too soon");
-            std::memcpy(value, remaining_.data(), size);
-            remaining_ = remaining_.subspan(size);
+    /// Of a size that the compiler knows, so that the copy is a few instructions.
+    template <std::size_t kSize>
+    void block(void* value) {
+        if (!reads_ && written_.size() - size_ >= kSize) {
+            std::memcpy(written_.data() + size_, value, kSize);
+            size_ += kSize;
         } else {
-            if (written_.size() - size_ < size) {
-                written_.resize(2 * (size_ + size) + kLeastRoom);
-            }
-            std::memcpy(&written_[size_], value, size);
-            size_ += size;
+            block(value, kSize);
         }
     }
+    void block(void* value, std::size_t size);
 
     static constexpr std::size_t kLeastRoom = 4096;
 

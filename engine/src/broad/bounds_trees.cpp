@@ -3,6 +3,8 @@
 
 #include "base/assert.hpp"
 
+#include <utility>
+
 namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {

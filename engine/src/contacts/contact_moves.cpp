@@ -18,12 +18,6 @@ StoredContact ContactStore::copyOf(std::uint32_t slot, const Bodies& bodies) con
     return copy;
 }
 
-std::vector<StoredContact> ContactStore::copies(const Bodies& bodies) const {
-    std::vector<StoredContact> all;
-    forEachInOrder([&](std::uint32_t slot) { all.push_back(copyOf(slot, bodies)); });
-    return all;
-}
-
 Contact& ContactStore::change(std::uint32_t slot, const Bodies& bodies) {
     Contact& contact = contacts_[slot];
     if (std::exchange(summaries_[slot].kept, false)) { // not visited in this step

@@ -142,11 +142,14 @@ void CandidatePairs::visitState(StateStream& stream, const Bodies& bodies) {
 void ContactStore::visitState(StateStream& stream, const Bodies& bodies, const PartBounds& bounds) {
     auto& [contacts, summaries, lanes, order, newOrder, lists, gone, changes, changesFound, holes,
            added, addedIsDeep, movedTo, slots, reorderPolicy, placesStale] = *this;
-    std::vector<StoredContact> stored = copies(bodies);
-    stream(stored, reorderPolicy);
-    if (!stream.reads()) {
+    auto size = static_cast<std::uint32_t>(contacts.size() - gone.size());
+    if (!stream.reads()) { // the bytes do not depend on slots
+        stream(size);
+        forEachInOrder([&](std::uint32_t slot) { stream.write(copyOf(slot, bodies)); });
         return;
     }
+    std::vector<StoredContact> stored;
+    stream(stored);
     for (StoredContact& contact : stored) {
         completeContact(contact, bodies);
     }
@@ -168,11 +171,8 @@ void ContactSet::visitState(StateStream& stream, const Bodies& bodies,
     if (!stream.reads()) {
         records.all(recordSource(bodies));
         applyChanges(bodies, tolerances);
-        if (candidates.compact(bodies)) {
+        if (candidates.compact(bodies)) { // the bytes do not depend on indices of parts
             store.renewPlaces(candidates.bounds());
-        }
-        if (store.sort()) { // the bytes do not depend on slots, nor on indices of parts
-            changed();
         }
     }
     records.visitState(stream);

@@ -40,8 +40,6 @@ public:
     }
     /// Copy of a contact with its numbers, and with separations and centerA up to date.
     StoredContact copyOf(std::uint32_t slot, const Bodies& bodies) const;
-    /// Copies of all, in the order of keys.
-    std::vector<StoredContact> copies(const Bodies& bodies) const;
     /// Must be called before a change of a contact within a step: the next step visits it.
     Contact& change(std::uint32_t slot, const Bodies& bodies);
     /// Takes a contact out of the passes.

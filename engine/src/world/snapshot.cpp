@@ -11,7 +11,7 @@ inline namespace KODO_PRECISION {
 namespace {
 
 constexpr std::uint32_t kMagic = 0x6f646f4b; // "Kodo"
-constexpr std::uint32_t kFormat = 14;        // increases with every change of visitState()
+constexpr std::uint32_t kFormat = 15;        // increases with every change of visitState()
 constexpr std::size_t kChecksumSize = sizeof(std::uint64_t);
 
 void refuseUnless(bool good, const std::string& sentence) {
@@ -73,13 +73,8 @@ std::vector<std::byte> toBytes(const World& world) {
     world.impl().guard().requireWhole("toBytes");
     WorldImpl copy = world.impl(); // brought into an order that the bytes do not depend on
     copy.visitState(stream, {});
-    std::vector<std::byte> bytes = stream.takeWritten();
-    std::uint64_t checksum = checksumOf(bytes);
-    StateStream end;
-    end(checksum);
-    const std::vector<std::byte> tail = end.takeWritten();
-    bytes.insert(bytes.end(), tail.begin(), tail.end());
-    return bytes;
+    stream.write(checksumOf(stream.written()));
+    return stream.takeWritten();
 }
 
 World fromBytes(std::span<const std::byte> bytes,
