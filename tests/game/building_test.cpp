@@ -12,6 +12,7 @@
 namespace {
 
 using namespace apart;
+using kodo::Real;
 using kodo::Vec2;
 
 constexpr int kMinute = 60 * kTicksPerSecond;
@@ -62,26 +63,152 @@ void toss(Game& game, std::size_t index, Vec2 velocity) {
     GameTestAccess::world(game)[game.blocks()[index].body].setVelocity(velocity);
 }
 
-TEST(Building, ABlockOffItsPlaceCountsAtOnceAndIsRubble) {
+TEST(Building, ABlockOffItsPlaceIsClearedAtOnceAndIsRubble) {
     Game game(columns(), 1);
     play(game, 60);
+    GameTestAccess::countHit(game);
     toss(game, 2, {6, 2});
     const auto let = playUntil<LetGo>(game, {}, 60);
     ASSERT_TRUE(let);
     EXPECT_EQ(let->why, LetGo::Why::Toppled);
-    EXPECT_EQ(let->points, 100);
     EXPECT_EQ(game.blocksLeft(), 5);
-    EXPECT_EQ(game.score(), 100);
+    EXPECT_EQ(game.score(), 0) << "it has not landed";
     EXPECT_EQ(fallen(game), 1u);
     play(game, static_cast<int>(kFallenTicks + kRubbleTicks) + 2);
     EXPECT_EQ(fallen(game), 0u); // it crumbled
     EXPECT_TRUE(game.shards().empty());
     EXPECT_EQ(game.blocksLeft(), 5); // and counted once
+    EXPECT_EQ(game.score(), 100);
+}
+
+TEST(Building, TheFirstLandingOfAFallenBlockScoresItsPoints) {
+    Game game(columns(), 1);
+    play(game, 60);
+    GameTestAccess::countHit(game);
+    toss(game, 2, {-4, 2}); // from the column onto the ledge
+    ASSERT_TRUE(playUntil<LetGo>(game, {}, 60));
+    EXPECT_EQ(game.score(), 0);
+    const auto landed = playUntil<Landed>(game, {}, 120);
+    ASSERT_TRUE(landed);
+    EXPECT_EQ(landed->points, 100);
+    EXPECT_LT(landed->point.y, 9) << "on the ledge";
+    EXPECT_EQ(game.score(), 100);
+    EXPECT_FALSE(playUntil<Landed>(game, {}, static_cast<int>(kFallenTicks))) << "once";
+}
+
+TEST(Building, NothingScoresBeforeTheFirstServe) {
+    Game game(columns(), 1);
+    play(game, 60);
+    toss(game, 2, {6, 2});
+    ASSERT_TRUE(playUntil<LetGo>(game, {}, 60));
+    play(game, static_cast<int>(kFallenTicks) + 60);
+    EXPECT_EQ(game.score(), 0);
+    EXPECT_EQ(game.blocksLeft(), 5);
+}
+
+/// A brick on a sled of steel, on a ledge.
+const char* const kSled = R"([[block]]
+kind = "x"
+x = 0
+y = 8200
+width = 2000
+height = 800
+[[block]]
+kind = "b"
+shape = "square"
+x = 0
+y = 9000
+)";
+
+/// Moves a block by so much (m).
+void shift(Game& game, std::size_t index, Vec2 way) {
+    kodo::BodyRef body = GameTestAccess::world(game)[game.blocks()[index].body];
+    body.setPosition(body.position() + way);
+}
+
+TEST(Building, ABlockThatIsCarriedAwayUprightHasNotFallen) {
+    Game game(columns(kSled), 1);
+    play(game, 60);
+    shift(game, 6, {Real(1.8), 0});
+    shift(game, 7, {Real(1.8), 0});
+    play(game, 60);
+    EXPECT_EQ(fallen(game), 0u);
+    shift(game, 7, {Real(-3), 0}); // off the sled
+    play(game, 60);
+    EXPECT_EQ(fallen(game), 1u);
+}
+
+TEST(Building, ABlockFallsOnceWhatCarriedItHasFallen) {
+    Game game(columns(), 1);
+    play(game, 60);
+    for (const std::size_t i : {0u, 1u, 2u}) { // a column as a whole: one carries the next
+        shift(game, i, {Real(1.5), 0});
+    }
+    play(game, 60);
+    EXPECT_EQ(fallen(game), 3u);
+}
+
+/// Two columns, and two bricks between them.
+Level columnsAndBricks() {
+    return columns("[[block]]\nkind = \"b\"\nshape = \"square\"\nx = 0\ny = 8400\n"
+                   "[[block]]\nkind = \"b\"\nshape = \"square\"\nx = 1500\ny = 8400\n");
+}
+
+/// Throws the highest block that stands left of -3 m.
+void tossTopOfLeftColumn(Game& game) {
+    std::size_t top = game.blocks().size();
+    for (std::size_t i = 0; i < game.blocks().size(); ++i) {
+        const Block& block = game.blocks()[i];
+        const bool left = block.counts() && block.home.position.x < -3;
+        if (left && (top == game.blocks().size() ||
+                     block.home.position.y > game.blocks()[top].home.position.y)) {
+            top = i;
+        }
+    }
+    toss(game, top, {-8, 0});
+}
+
+TEST(Building, IsDownOnceLittleOfItsHeightIsLeftAndTheRestCrumbles) {
+    Game game(columnsAndBricks(), 1);
+    play(game, 60);
+    GameTestAccess::countHit(game);
+    for (const std::size_t i : {0u, 1u, 2u}) {
+        toss(game, i, {8, 0});
+    }
+    play(game, 240);
+    tossTopOfLeftColumn(game);
+    play(game, 240);
+    EXPECT_EQ(game.blocksLeft(), 4);
+    EXPECT_FALSE(game.counts().isDown()) << "0.3 of the sum of heights is left";
+    tossTopOfLeftColumn(game);
+    const auto won = playUntil<Cleared>(game, {}, 600);
+    ASSERT_TRUE(won);
+    EXPECT_TRUE(game.counts().isDown());
+    EXPECT_EQ(game.counts().hits, 1);
+    EXPECT_EQ(game.score(), (1 + 2 + 3 + 1 + 1 + 3) * 100 + won->lives + won->prize)
+        << "what crumbles is not multiplied";
+}
+
+TEST(Building, ABallLostAfterItIsDownCostsNoLife) {
+    Game game(columnsAndBricks(), 1);
+    play(game, 60);
+    GameTestAccess::countHit(game);
+    for (std::size_t i = 0; i < 6; ++i) {
+        toss(game, i, {i < 3 ? Real(8) : Real(-8), 0});
+    }
+    for (int i = 0; i < 400 && !game.counts().isDown(); ++i) {
+        game.tick({});
+    }
+    ASSERT_TRUE(game.counts().isDown());
+    GameTestAccess::shoot(game, {9, Real(0.5)}, {0, -12}); // past the paddle
+    ASSERT_TRUE(playUntil<Cleared>(game, {}, 600));
+    EXPECT_EQ(game.lives(), 3);
 }
 
 TEST(Building, BlocksThatFallTogetherAreOneCollapse) {
     Game game(columns(), 1);
     play(game, 60);
+    GameTestAccess::countHit(game);
     for (const std::size_t i : {0u, 1u, 2u}) {
         toss(game, i, {6, 0});
     }
@@ -89,7 +216,8 @@ TEST(Building, BlocksThatFallTogetherAreOneCollapse) {
     ASSERT_TRUE(told);
     EXPECT_EQ(told->blocks, 3);
     EXPECT_EQ(told->points, 100 + 200 + 300); // each times its number in the collapse
-    EXPECT_EQ(game.score(), told->points);
+    play(game, static_cast<int>(kFallenTicks));
+    EXPECT_EQ(game.score(), told->points) << "all have landed";
     EXPECT_EQ(game.collapse().largest, 3);
     EXPECT_EQ(game.collapse().blocks, 0);
 }
@@ -182,7 +310,7 @@ to = [0, 12000]
 // Rubble that breaks by its age takes its ropes and pins along in the same tick: a picture of the
 // links is drawn after any tick. Before, it was drawn with joints that no longer existed.
 TEST(Building, AfterEachTickAllLinksExist) {
-    for (const char* const name : {"rope_bridge", "scaffold", "mobile", "bell"}) {
+    for (const char* const name : {"rope_bridge", "scaffold", "mobile", "crane"}) {
         Game game{std::get<Level>(loadLevel(name)), 1};
         std::size_t most = 0;
         std::size_t least = game.links().size();

@@ -105,4 +105,22 @@ TEST(Lint, ALevelThatTheBotCannotFinishInTimeFails) {
     EXPECT_EQ(report.problems.size(), 2u);
 }
 
+TEST(Lint, NamesTheBlockThatMovesWhenNobodyPlays) {
+    const std::string head = "format = 1\ntitle = \"t\"\nidea = \"i\"\n[legend.b]\n"
+                             "stuff = \"brick\"\nhold = \"standing\"\n[[ledge]]\nx = 0\n"
+                             "y = 7800\nwidth = 2000\n";
+    const auto block = [](const char* x, const char* y) {
+        return std::string("[[block]]\nkind = \"b\"\nshape = \"square\"\nx = ") + x + "\ny = " + y +
+               "\n";
+    };
+    const Level stands = levelFrom(head + block("0", "8400"));
+    EXPECT_TRUE(lint(stands, {.seeds = 0}).passed());
+    const Level leans = levelFrom(head + block("0", "8400") + block("1200", "8400"));
+    const LintReport report = lint(leans, {.seeds = 0});
+    ASSERT_EQ(report.problems.size(), 1u);
+    EXPECT_EQ(report.problems[0].find("untouched, the block of brick at x = 1200, y = 8400 moves"),
+              0u)
+        << report.problems[0];
+}
+
 } // namespace

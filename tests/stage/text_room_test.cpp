@@ -208,9 +208,9 @@ TEST(TextRoom, OfTheResult) {
     for (const auto& level : allLevels()) {
         Game game(level, 1);
         RunStatistics run;
-        run.broken = run.fallen = run.dropped = run.caught = 123;
+        run.broken = run.fallen = run.caught = 123;
         run.bestCombo = run.largestFall = 123;
-        run.points = {123456, 123456, 123456, 123456, 12345};
+        run.points = {123456, 123456, 123456, 123456, 12345, 2000};
         run.ticks = 3599 * kTicksPerSecond;
         const std::vector<MedalMarks> marks = {{level->name, 0, {1, 2, 9999999}, 123, 123}};
         inEachSize([&](int percent, Vec2 window) {

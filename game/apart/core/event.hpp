@@ -4,29 +4,13 @@
 #include <apart/core/input.hpp>
 #include <apart/core/level.hpp>
 #include <apart/core/progress.hpp>
+#include <apart/core/role.hpp>
 #include <kodo/kodo.hpp>
 
 #include <cstdint>
 #include <variant>
 
 namespace apart {
-
-/// Role of a body in the game, one user flag each: roleOf(world[id].flags()).
-enum class Role : std::uint16_t {
-    Wall = 1,
-    Paddle = 2,
-    Block = 4,
-    Ball = 8,
-    Shard = 16,
-    Part = 32,
-    Obstruction = 128,
-};
-constexpr kodo::Flags flagsOf(Role role) {
-    return static_cast<kodo::Flags>(role);
-}
-constexpr Role roleOf(kodo::Flags flags) {
-    return static_cast<Role>(flags & 0xbf);
-}
 
 // Events of one tick, in the order of evaluation. Points are in m, world; impulses in N s. A body
 // named by an event may already be removed.
@@ -151,12 +135,13 @@ struct LetGo {
     Stuff stuff = Stuff::Brick;
     kodo::Vec2 point; // its centre
     Why why = Why::Fatigue;
-    int points = 0; // added to the score, of a standing block
 };
-/// A loose block left the field and counts as cleared.
-struct Fell {
+/// A fallen block landed, broke up, was caught or left the field, or a loose one left it: its
+/// points count.
+struct Landed {
+    kodo::BodyId block;
     Stuff stuff = Stuff::Brick;
-    kodo::Vec2 point;
+    kodo::Vec2 point; // its centre
     int points = 0;
 };
 /// The last core of the boss broke or fell.
@@ -235,7 +220,7 @@ struct Breached {
 
 using Event = std::variant<Struck, Cracked, Broke, Released, Caught, Welded, Stuck, Launched, Spent,
                            BallSplit, Served, BallLost, LifeLost, Cleared, Lost, KnockedOff,
-                           ShardBroke, LetGo, Fell, BossDown, Bumped, PowerBegan, PowerEnded,
+                           ShardBroke, LetGo, Landed, BossDown, Bumped, PowerBegan, PowerEnded,
                            BallChanged, Leapt, ForceChanged, ShardCaught, PatienceChanged, LoopSeen,
                            Collapsed, Snapped, Splashed, Breached>;
 

@@ -3,6 +3,7 @@
 #include <apart/core/game_rules.hpp>
 #include <apart/core/tuning.hpp>
 
+#include <algorithm>
 #include <utility>
 
 namespace apart {
@@ -13,7 +14,11 @@ void conclude(GameState& game) {
     if (game.result != Result::Playing) {
         return;
     }
+    const auto falls = [](const Block& block) { return block.due > 0; };
     if (game.counts.blocksLeft == 0) {
+        if (std::any_of(game.blocks.begin(), game.blocks.end(), falls)) {
+            return; // no ball is needed any more
+        }
         endCollapse(game);
         game.result = Result::Won;
         const Cleared won{.lives = game.counts.lives * kLifePoints,
@@ -21,11 +26,14 @@ void conclude(GameState& game) {
                           .spared = game.keeps() ? kSparedPoints : 0};
         game.counts.score += won.lives + won.prize + won.spared;
         game.events.emplace_back(won);
-    } else if (game.balls.empty()) {
+    } else if (game.balls.empty() && !game.counts.isDown()) {
         --game.counts.lives;
         game.counts.combo = 0; // a combo ends with the last ball
         game.events.emplace_back(LifeLost{game.counts.lives});
         if (game.counts.lives == 0) {
+            for (Block& block : game.blocks) {
+                land(game, block);
+            }
             game.result = Result::Lost;
             game.events.emplace_back(Lost{game.counts.score});
             return;

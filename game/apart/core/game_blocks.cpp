@@ -144,6 +144,9 @@ void letGoNext(GameState& game, LetGo::Why why) {
 
 void watchProgress(GameState& game) {
     const std::uint32_t hurry = game.counts.blocksLeft <= kLastBlocks ? kLastHurry : 1;
+    if (game.counts.isDown()) {
+        return;
+    }
     if (game.result == Result::Playing && !game.serving() && game.clock.tick(hurry)) {
         letGoNext(game, LetGo::Why::Fatigue);
     } else if (game.field.tornSpeed >= kTornSpeed) {
@@ -153,9 +156,8 @@ void watchProgress(GameState& game) {
     if (game.patience() == Patience::Calm) {
         game.field.tornSpeed = 0;
     }
-    if (game.patience() != game.shownPatience) {
-        game.shownPatience = game.patience();
-        game.events.emplace_back(PatienceChanged{game.shownPatience});
+    if (const std::optional<Patience> patience = game.clock.takeChange()) {
+        game.events.emplace_back(PatienceChanged{*patience});
     }
 }
 
@@ -178,6 +180,9 @@ void removeGoneBlocks(GameState& game) {
             }
             continue;
         }
+        if (game.result == Result::Playing) {
+            land(game, game.blocks[i]);
+        }
         game.ledger.removedMass += static_cast<double>(game.world[block.body].mass());
         game.world.remove(block.body);
         game.blocks.erase(game.blocks.begin() + static_cast<std::ptrdiff_t>(i));
@@ -186,7 +191,7 @@ void removeGoneBlocks(GameState& game) {
                 kPoints[static_cast<std::size_t>(block.kind.stuff)] / kFallDivisor;
             --game.counts.blocksLeft;
             game.counts.score += points;
-            game.events.emplace_back(Fell{block.kind.stuff, place, points});
+            game.events.emplace_back(Landed{block.body, block.kind.stuff, place, points});
         }
     }
 }

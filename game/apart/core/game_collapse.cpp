@@ -5,6 +5,8 @@
 #include <apart/core/tuning.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace apart {
@@ -15,15 +17,61 @@ using kodo::Vec2;
 
 namespace {
 
-bool hasFallen(kodo::BodyView body, const kodo::Transform& home) {
+bool isFar(Vec2 from, Vec2 to) {
+    return lengthSquared(to - from) > kFallenWay * kFallenWay;
+}
+
+bool hasFallen(const GameState& game, const Block& block) {
+    const kodo::BodyView body = game.world[block.body];
     const kodo::Rot now = body.rotation();
-    const Real cosine = now.c * home.rotation.c + now.s * home.rotation.s;
-    return cosine < kFallenCosine ||
-           lengthSquared(body.position() - home.position) > kFallenWay * kFallenWay;
+    const kodo::Rot home = block.home.rotation;
+    const Vec2 place = body.position();
+    return now.c * home.c + now.s * home.s < kFallenCosine ||
+           (isFar(block.home.position, place) && (isGone(place) || !game.isCarried(block)));
+}
+
+/// True if little of a building is left above its lowest block.
+bool isLow(const GameState& game) {
+    const Level& level = *game.level;
+    std::vector<Real> heights; // m, of the blocks at the start
+    for (const Cell& cell : level.cells) {
+        if (level.kinds[cell.kind].breakable()) {
+            heights.push_back(centerOf(cell).y);
+        }
+    }
+    for (const FreeBlock& block : level.freeBlocks) {
+        if (level.kinds[block.kind].breakable()) {
+            heights.push_back(static_cast<Real>(block.y) / 1000);
+        }
+    }
+    const Real base = *std::min_element(heights.begin(), heights.end()) - kCellHeight / 2;
+    const auto add = [&](Real sum, Real height) { return sum + std::max(height - base, Real(0)); };
+    const Real full = std::accumulate(heights.begin(), heights.end(), Real(0), add);
+    Real left = 0;
+    for (const Block& block : game.blocks) {
+        left = block.counts() ? add(left, game.frameOf(block).position.y) : left;
+    }
+    return left <= kDownShare * full;
+}
+
+/// The lowest block that is to be cleared; blocks.size(): none.
+std::size_t lowestLeft(const GameState& game) {
+    std::size_t lowest = game.blocks.size();
+    Real height = 0;
+    for (std::size_t i = 0; i < game.blocks.size(); ++i) {
+        const Real y = game.blocks[i].counts() ? game.frameOf(game.blocks[i]).position.y : height;
+        if (game.blocks[i].counts() && (lowest == game.blocks.size() || y < height)) {
+            lowest = i;
+            height = y;
+        }
+    }
+    return lowest;
 }
 
 } // namespace
 
+static void findCarriers(GameState& game);
+static void crumble(GameState& game);
 static void watchLinks(GameState& game);
 static void dropLinks(GameState& game, BodyId body);
 
@@ -32,17 +80,97 @@ void watchBuildings(GameState& game) {
     if (game.result != Result::Playing) {
         return;
     }
+    if (game.tick == kTouchTicks) {
+        findCarriers(game);
+    }
     for (std::size_t i = 0; i < game.blocks.size(); ++i) {
         if (game.blocks[i].support != Support::Standing) {
             continue;
         }
         const kodo::BodyView body = std::as_const(game.world)[game.blocks[i].body];
-        if (!body.isAsleep() && hasFallen(body, game.blocks[i].home)) {
+        if (!body.isAsleep() && hasFallen(game, game.blocks[i])) {
             markFallen(game, i, LetGo::Why::Toppled);
         }
     }
     if (game.collapse.blocks > 0 && game.tick - game.collapse.lastTick > kCollapseGap) {
         endCollapse(game);
+    }
+    crumble(game);
+}
+
+void findCarriers(GameState& game) {
+    constexpr Real kUpwards = Real(0.3); // of a normal, towards the block that is carried
+    const auto stands = [&](BodyId body) {
+        const Block* block = game.findBlock(body);
+        return block != nullptr && block->support == Support::Standing;
+    };
+    const kodo::World& world = game.world;
+    const auto add = [&](BodyId block, BodyId by) {
+        if (stands(block)) {
+            game.carriers.push_back(
+                {block, by, toLocal(world[by].transform(), world[block].position())});
+        }
+    };
+    for (const kodo::CollisionRecord& hit : world.collisions()) {
+        if (std::abs(hit.normal.y) > kUpwards) {
+            hit.normal.y > 0 ? add(hit.b, hit.a) : add(hit.a, hit.b);
+        }
+    }
+    for (const Link& link : game.links) {
+        const kodo::JointDef& def = world.joint(link.joint);
+        add(secondBody(def), firstBody(def));
+    }
+}
+
+bool GameState::isCarried(const Block& block) const {
+    const Vec2 place = world[block.body].position();
+    for (const Carrier& carrier : carriers) {
+        if (carrier.block != block.body || !world.contains(carrier.by)) {
+            continue;
+        }
+        const Block* by = findBlock(carrier.by);
+        const bool fallen = by != nullptr && by->support == Support::Fallen;
+        if (!fallen && !isFar(carrier.place, toLocal(world[carrier.by].transform(), place))) {
+            return true;
+        }
+    }
+    for (std::size_t i = 0; i < waters.size(); ++i) { // afloat, as high above the surface as before
+        const Vec2 home = block.home.position;
+        const kodo::Aabb& water = waters[i].region;
+        const auto top = static_cast<Real>(level->waters[i].y) / 1000;
+        const bool within = std::min(home.x, place.x) > water.lower.x &&
+                            std::max(home.x, place.x) < water.upper.x && home.y > water.lower.y &&
+                            home.y < top + kFallenWay;
+        if (within && !waters[i].open &&
+            std::abs(place.y - water.upper.y - (home.y - top)) < kFallenWay) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Breaks what is left of a building that is down, block by block.
+void crumble(GameState& game) {
+    if (!game.counts.isDown()) {
+        const bool quiet = game.tick - game.collapse.lastTick > kDownTicks;
+        if (quiet && game.counts.hits > 0 && isBuilding(*game.level) && isLow(game)) {
+            game.counts.downTick = game.tick;
+        }
+        return;
+    }
+    const std::size_t lowest = lowestLeft(game);
+    if (lowest < game.blocks.size() && (game.tick - game.counts.downTick) % kCrumbleTicks == 0) {
+        breakBlock(game, lowest, game.frameOf(game.blocks[lowest]).position, {});
+    }
+}
+
+void land(GameState& game, Block& block) {
+    if (block.due > 0) {
+        game.counts.score += block.due;
+        game.events.emplace_back(Landed{.block = block.body,
+                                        .stuff = block.kind.stuff,
+                                        .point = game.frameOf(block).position,
+                                        .points = std::exchange(block.due, 0)});
     }
 }
 
@@ -50,9 +178,8 @@ void watchBuildings(GameState& game) {
 void markFallen(GameState& game, std::size_t index, LetGo::Why why) {
     Block& block = game.blocks[index];
     const Vec2 place = game.frameOf(block).position;
-    std::int32_t points = 0;
     if (block.counts()) {
-        points = addToCollapse(game, block, place);
+        block.due = addToCollapse(game, block, place);
         --game.counts.blocksLeft;
     }
     if (why == LetGo::Why::Toppled) {
@@ -68,13 +195,16 @@ void markFallen(GameState& game, std::size_t index, LetGo::Why why) {
                                    .key = block.key,
                                    .stuff = block.kind.stuff,
                                    .point = place,
-                                   .why = why,
-                                   .points = points});
+                                   .why = why});
 }
 
-/// Returns the points of the block: its own times the number of blocks in this collapse, or times
-/// the combo if that is larger.
+/// Its own points times the number of blocks in this collapse, or times the combo if that is
+/// larger. Before the first serve nothing is worth points, and nothing is multiplied once the
+/// building is down.
 std::int32_t addToCollapse(GameState& game, const Block& block, Vec2 place) {
+    if (game.counts.hits == 0 || game.counts.isDown()) {
+        return game.counts.hits == 0 ? 0 : pointsOf(block.kind);
+    }
     ++game.collapse.blocks;
     game.collapse.lastTick = game.tick;
     game.collapse.sum += place;
@@ -83,7 +213,6 @@ std::int32_t addToCollapse(GameState& game, const Block& block, Vec2 place) {
         std::min(std::max(game.collapse.blocks, game.counts.combo), kMostCombo);
     const std::int32_t points = pointsOf(block.kind) * factor;
     game.collapse.points += points;
-    game.counts.score += points;
     return points;
 }
 

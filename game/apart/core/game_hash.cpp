@@ -25,6 +25,7 @@ void add(kodo::StateHash& hash, const Block& block) {
     hash.add(static_cast<std::uint8_t>(block.support));
     add(hash, block.pin);
     hash.add(block.looseTick);
+    hash.add(block.due);
 }
 
 void add(kodo::StateHash& hash, const Ball& ball) {
@@ -108,6 +109,8 @@ std::uint64_t GameState::hash() const {
         sum.add(number);
     }
     sum.add(counts.serves);
+    sum.add(counts.downTick);
+    sum.add(static_cast<std::uint64_t>(carriers.size()));
     add(sum, paddle.body);
     for (const Real number : {paddle.speed, paddle.sway.tilt, paddle.sway.tiltSpeed,
                               paddle.sway.lift, paddle.sway.liftSpeed, field.meter, boss.home}) {
@@ -131,7 +134,6 @@ std::uint64_t GameState::hash() const {
     }
     add(sum, effects);
     sum.add(clock.stateHash());
-    sum.add(static_cast<std::uint8_t>(shownPatience));
     sum.add(field.tornSpeed);
     add(sum, ledger);
     return sum.value();

@@ -127,7 +127,7 @@ void judgeBall(GameState& game, const CollisionRecord& hit, BodyId ball) {
     if (hit.maxPointImpulse() < kSlightestImpact) {
         return;
     }
-    game.counts.hits += what == Role::Paddle ? 1 : 0;
+    game.counts.hits += what == Role::Paddle && !game.counts.isDown() ? 1 : 0;
     game.events.emplace_back(Struck{.ball = ball,
                                     .other = other,
                                     .what = what,
@@ -148,6 +148,10 @@ void judgeBlock(GameState& game, const CollisionRecord& hit, BodyId body) {
     if (drawnIn && block.support == Support::Fallen) {
         catchBlock(game, index, hit.point);
         return;
+    }
+    if (block.support == Support::Fallen && hit.approachSpeed > kLandingSpeed &&
+        normalTowards(hit, body).y > Real(0.5)) {
+        land(game, block);
     }
     // A resting load on a block of a building is not an impact: its approach speed is small.
     const BodyId other = hit.other(body);
@@ -210,6 +214,7 @@ void catchShard(GameState& game, std::size_t index, Vec2 point) {
 }
 
 void catchBlock(GameState& game, std::size_t index, Vec2 point) {
+    land(game, game.blocks[index]);
     const Block block = game.blocks[index];
     const Real mass = game.world[block.body].mass();
     game.world.remove(block.body);

@@ -45,12 +45,14 @@ double turnOf(const kodo::Mass& mass, const PieceMotion& motion, Vec2 center) {
 
 static int addPieces(GameState& game, const Block& block, const kodo::Shape& shape,
                      const Carried& before);
+static std::int32_t countBroken(GameState& game, const Block& block, Vec2 place);
 static void removeGoneBalls(GameState& game);
 static void removeGoneParts(GameState& game);
 static void removeGoneShards(GameState& game);
 
 void breakBlock(GameState& game, std::size_t index, Vec2 point, Vec2 impact) {
     const BodyId body = detach(game, index);
+    land(game, game.blocks[index]);
     const Block block = game.blocks[index];
     const kodo::Transform frame = game.frameOf(block);
     const PieceMotion carried{game.world[body].velocity(), game.world[body].angularVelocity()};
@@ -61,17 +63,8 @@ void breakBlock(GameState& game, std::size_t index, Vec2 point, Vec2 impact) {
         game.world.remove(block.pin);
     }
     game.blocks.erase(game.blocks.begin() + static_cast<std::ptrdiff_t>(index));
-    std::int32_t points = 0;
-    if (block.support == Support::Standing && block.counts()) {
-        points = addToCollapse(game, block, frame.position);
-        --game.counts.blocksLeft;
-        ++game.counts.combo;
-    } else if (block.counts()) {
-        --game.counts.blocksLeft;
-        ++game.counts.combo;
-        points = pointsOf(block.kind) * std::min(game.counts.combo, kMostCombo);
-        game.counts.score += points;
-    }
+    const std::int32_t points = block.counts() ? countBroken(game, block, frame.position) : 0;
+    game.counts.score += points;
     const std::size_t place = game.events.size();
     game.events.emplace_back(Broke{.block = body,
                                    .key = block.key,
@@ -93,6 +86,19 @@ void breakBlock(GameState& game, std::size_t index, Vec2 point, Vec2 impact) {
     game.ledger.mountTurn += turnOf(weight, carried, frame.position);
     std::get<Broke>(game.events[place]).shards =
         addPieces(game, block, shape, {frame, carried, hit, taken});
+}
+
+/// Counts a block that broke as cleared. Returns its points.
+std::int32_t countBroken(GameState& game, const Block& block, Vec2 place) {
+    --game.counts.blocksLeft;
+    if (block.support == Support::Standing) {
+        const std::int32_t points = addToCollapse(game, block, place);
+        ++game.counts.combo;
+        return points;
+    }
+    ++game.counts.combo;
+    return pointsOf(block.kind) *
+           (game.counts.isDown() ? 1 : std::min(game.counts.combo, kMostCombo));
 }
 
 int addPieces(GameState& game, const Block& block, const kodo::Shape& shape,

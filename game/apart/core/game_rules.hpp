@@ -47,7 +47,10 @@ void watchBuildings(GameState& game);
 /// Removes the links of joints that are no longer in the world.
 void forgetLinks(GameState& game);
 void markFallen(GameState& game, std::size_t index, LetGo::Why why);
+/// Counts a standing block that fell or broke. Returns its points.
 std::int32_t addToCollapse(GameState& game, const Block& block, kodo::Vec2 place);
+/// Scores the points of a fallen block.
+void land(GameState& game, Block& block);
 void endCollapse(GameState& game);
 
 // game_water.cpp: water, which floats blocks and runs out through broken dams.

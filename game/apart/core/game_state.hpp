@@ -31,9 +31,12 @@ struct Counts {
     std::uint32_t serves = 0;
     std::int32_t hits = 0;      // of balls on the paddle; a serve is one
     std::int32_t fullPrize = 0; // points of a game won with one hit
+    std::uint32_t downTick = 0; // at which the building was down; 0: it is not
 
     /// Points for few hits, if the game were won now.
     std::int32_t prize() const { return fullPrize / std::max(hits, 1); }
+    /// What is left of the building crumbles, and no ball is needed any more.
+    bool isDown() const { return downTick > 0; }
 };
 
 struct Paddle {
@@ -82,6 +85,7 @@ struct GameState {
     std::vector<Obstruction> obstructions;
     std::vector<Link> links;
     std::vector<Water> waters;
+    std::vector<Carrier> carriers;
     Boss boss;
     Collapse collapse;
 
@@ -89,7 +93,6 @@ struct GameState {
     std::vector<Effect> effects;
     bool fieldsStale = false; // within a tick: the force fields of `effects` must be set again
     ProgressClock clock;
-    Patience shownPatience = Patience::Calm; // of the last PatienceChanged
     Ledger ledger;
     std::vector<Event> events; // of the last tick
 
@@ -112,7 +115,8 @@ struct GameState {
     std::optional<kodo::QueryHit> ahead(kodo::Vec2 from, kodo::Vec2 way) const;
     bool meetsBlock(kodo::Vec2 from, kodo::Vec2 way) const;
     std::optional<kodo::Real> wayToBlock(kodo::Vec2 from, kodo::Vec2 heading) const;
-    bool keeps() const; // Level::keep has not fallen; false without one
+    bool isCarried(const Block& block) const; // at its place on what carries it
+    bool keeps() const;                       // Level::keep has not fallen; false without one
     bool serving() const;
     kodo::Real ballSpeed() const; // m/s
     std::uint64_t hash() const;

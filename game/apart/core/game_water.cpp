@@ -74,8 +74,12 @@ void watchWaters(GameState& game) {
     for (const Ball& ball : game.balls) {
         splash(game, ball.body);
     }
-    for (const Block& block : game.blocks) {
+    for (Block& block : game.blocks) {
+        const std::size_t before = game.events.size();
         splash(game, block.body);
+        if (game.events.size() > before) {
+            land(game, block);
+        }
     }
     for (const Shard& shard : game.shards) {
         splash(game, shard.body);

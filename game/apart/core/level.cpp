@@ -51,6 +51,17 @@ void add(kodo::StateHash& hash, const LinkDef& link) {
 
 } // namespace
 
+bool isBuilding(const Level& level) {
+    const auto breaks = [&](const auto& block) { return level.kinds[block.kind].breakable(); };
+    const auto stands = [&](const FreeBlock& block) {
+        return breaks(block) && level.kinds[block.kind].support == Support::Standing;
+    };
+    const auto all = std::count_if(level.cells.begin(), level.cells.end(), breaks) +
+                     std::count_if(level.freeBlocks.begin(), level.freeBlocks.end(), breaks);
+    return 2 * std::count_if(level.freeBlocks.begin(), level.freeBlocks.end(), stands) >= all &&
+           all > 0;
+}
+
 std::uint64_t digestOf(const Level& level) {
     kodo::StateHash hash;
     hash.add(level.ballSpeed);

@@ -222,6 +222,9 @@ struct Level {
     friend bool operator==(const Level&, const Level&) = default;
 };
 
+/// True if at least half of the blocks that break stand.
+bool isBuilding(const Level& level);
+
 /// Hash of all that affects play; leaves out name, title, idea, theme and place.
 std::uint64_t digestOf(const Level& level);
 

@@ -182,7 +182,7 @@ void judgeRun(const BotRun& run, LintReport& report) {
 bool isEventful(const Game& game) {
     return std::any_of(game.events().begin(), game.events().end(), [](const Event& event) {
         return std::holds_alternative<Cracked>(event) || std::holds_alternative<Broke>(event) ||
-               std::holds_alternative<LetGo>(event) || std::holds_alternative<Fell>(event) ||
+               std::holds_alternative<LetGo>(event) || std::holds_alternative<Landed>(event) ||
                std::holds_alternative<Caught>(event) || std::holds_alternative<ShardCaught>(event);
     });
 }
@@ -195,27 +195,60 @@ bool isHit(const Game& game) {
     });
 }
 
-/// Measures the gaps between events.
+/// Measures the gaps between ticks in which something happens.
 class GapMeter {
 public:
-    explicit GapMeter(BotRun& run) : run_(run) {}
-
-    void tick(const Game& game) {
+    void tick(bool happens) {
         ++gap_;
-        if (isEventful(game) || game.result() != Result::Playing) {
+        if (happens) {
             finish();
         }
     }
-    void finish() {
-        run_.longestGap = std::max(run_.longestGap, gap_);
-        run_.quietTicks += gap_ > kQuietGap ? gap_ : 0;
+    Gaps finish() {
+        gaps_.longest = std::max(gaps_.longest, gap_);
+        gaps_.ticks += gap_ > kQuietGap ? gap_ : 0;
         gap_ = 0;
+        return gaps_;
     }
 
 private:
-    BotRun& run_;
+    Gaps gaps_;
     std::uint32_t gap_ = 0; // ticks
 };
+
+/// Names the standing block that moves farthest while nobody plays.
+void judgeStanding(const Level& level, LintReport& report) {
+    constexpr std::uint32_t kUntouched = 60 * kTicksPerSecond;
+    constexpr Real kStill = Real(0.05); // m
+    Game game(level, 1);
+    const std::vector<Block> blocks(game.blocks().begin(), game.blocks().end());
+    Real farthest = kStill;
+    const Block* moved = nullptr;
+    while (!level.freeBlocks.empty() && game.ticks() < kUntouched) {
+        game.tick({});
+        for (const Block& block : blocks) {
+            const bool stands = block.support == Support::Standing;
+            const Real way =
+                !stands ? Real(0)
+                : !game.world().contains(block.body)
+                    ? kFieldHeight
+                    : length(game.world()[block.body].position() - block.home.position);
+            if (way > farthest) {
+                farthest = way;
+                moved = &block;
+            }
+        }
+    }
+    if (moved != nullptr) {
+        const Vec2 home = moved->home.position;
+        report.problems.push_back(
+            "untouched, the block of " +
+            std::string(kStuffNames[static_cast<std::size_t>(moved->kind.stuff)]) +
+            " at x = " + std::to_string(std::lround(1000 * home.x)) +
+            ", y = " + std::to_string(std::lround(1000 * home.y)) + " moves by " +
+            std::to_string(std::lround(1000 * farthest)) + " mm in 60 s");
+    }
+}
 
 } // namespace
 
@@ -223,13 +256,20 @@ BotRun runBot(const Level& level, std::uint32_t seed, std::uint32_t mostTicks, B
     Game game(level, seed);
     GameObserver observer;
     BotRun run{.seed = seed};
-    GapMeter gaps(run);
+    GapMeter events;
+    GapMeter clears;
     std::optional<std::uint32_t> served; // tick of the first serve
     bool hit = false;
     while (game.result() == Result::Playing && game.ticks() < mostTicks) {
+        const std::int32_t left = game.blocksLeft();
+        const std::int32_t largest = game.collapse().largest;
         game.tick(bot(game, kind));
         observer.observe(game);
-        gaps.tick(game);
+        const bool over = game.result() != Result::Playing;
+        events.tick(isEventful(game) || over);
+        clears.tick(game.blocksLeft() < left || over);
+        run.largestFallTick =
+            game.collapse().largest > largest ? game.ticks() : run.largestFallTick;
         if (!served && !game.serving()) {
             served = game.ticks();
         }
@@ -240,7 +280,8 @@ BotRun runBot(const Level& level, std::uint32_t seed, std::uint32_t mostTicks, B
         run.mostBodies = std::max(run.mostBodies, game.world().bodyCount());
         run.work += stepStats(game.world()).bodies + stepStats(game.world()).contacts;
     }
-    gaps.finish();
+    run.quiet = events.finish();
+    run.uncleared = clears.finish();
     run.ticks = game.ticks();
     run.result = game.result();
     run.score = game.score();
@@ -274,6 +315,7 @@ LintReport lint(const Level& level, const LintOptions& options) {
     report.clearBound = kFailTicks + kLooseTicks +
                         kFailEvery * static_cast<std::uint32_t>(std::max(report.blocks - 1, 0));
     judgeReach(report);
+    judgeStanding(level, report);
     std::uint64_t ticks = 0;
     std::uint64_t work = 0;
     for (std::uint32_t seed = 1; seed <= options.seeds; ++seed) {

@@ -11,8 +11,14 @@
 
 namespace apart {
 
-// A longer time without a crack, break, fall or catch counts as quiet (ticks): 3 s.
+// A longer gap counts (ticks): 3 s.
 inline constexpr std::uint32_t kQuietGap = 3 * kTicksPerSecond;
+
+/// Times in which something did not happen.
+struct Gaps {
+    std::uint32_t longest = 0; // ticks
+    std::uint32_t ticks = 0;   // in gaps longer than kQuietGap
+};
 
 /// Result of one game of a bot.
 struct BotRun {
@@ -21,13 +27,14 @@ struct BotRun {
     Result result = Result::Playing;
     std::int32_t score = 0;
     std::int32_t livesLost = 0;
-    std::int32_t paddleHits = 0;   // of balls on the paddle
-    std::int32_t largestFall = 0;  // blocks of one collapse
-    std::uint32_t longestWait = 0; // ticks without damage to a block
-    std::uint32_t longestGap = 0;  // ticks without a crack, break, fall or catch
-    std::uint32_t quietTicks = 0;  // in gaps longer than kQuietGap
-    std::uint32_t firstHit = 0;    // ticks from the first serve to the first hit of a block
-    std::uint32_t faults = 0;      // halts, escapes, bent paths
+    std::int32_t paddleHits = 0;       // of balls on the paddle
+    std::int32_t largestFall = 0;      // blocks of one collapse
+    std::uint32_t longestWait = 0;     // ticks without damage to a block
+    Gaps quiet{};                      // without a crack, break, fall or catch
+    Gaps uncleared{};                  // without a block that is cleared
+    std::uint32_t largestFallTick = 0; // at which its last block fell
+    std::uint32_t firstHit = 0;        // ticks from the first serve to the first hit of a block
+    std::uint32_t faults = 0;          // halts, escapes, bent paths
     std::size_t mostBodies = 0;
     double cleared = 0;     // 0..1, share of the blocks that broke or fell
     std::uint64_t work = 0; // bodies and contacts visited, summed over all ticks
@@ -61,7 +68,8 @@ struct LintReport {
 /// true size, with all breakable blocks removed.
 std::vector<Cell> outOfReach(const Level& level);
 
-/// Checks that a level is playable. Every block must be reachable, and the bot must win each game.
+/// Checks that a level is playable. Every block must be reachable, no standing block may move in a
+/// minute without a player, and the bot must win each game.
 /// No game may exceed the wait bound or contain a fault, and the mean work per tick is limited.
 /// Warns of characters in its texts that the typefaces lack.
 LintReport lint(const Level& level, const LintOptions& options = {});

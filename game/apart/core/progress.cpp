@@ -56,10 +56,19 @@ bool ProgressClock::metPaddle(kodo::Vec2 place, kodo::Vec2 heading, Real paddleX
     return true;
 }
 
+std::optional<Patience> ProgressClock::takeChange() {
+    if (patience() == told_) {
+        return std::nullopt;
+    }
+    told_ = patience();
+    return told_;
+}
+
 std::uint64_t ProgressClock::stateHash() const {
     kodo::StateHash hash;
     hash.add(idle_);
     hash.add(met_);
+    hash.add(static_cast<std::uint8_t>(told_));
     const std::size_t known = std::min<std::size_t>(met_, kRemembered);
     for (std::size_t i = 0; i < known; ++i) {
         hash.add(meetings_[i]);

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 namespace apart {
@@ -32,6 +33,8 @@ inline constexpr std::array<std::string_view, 4> kPatienceNames = {"calm", "glow
 class ProgressClock {
 public:
     Patience patience() const;
+    /// The stage, if it is another one than at the last call.
+    std::optional<Patience> takeChange();
     std::uint32_t idleTicks() const { return idle_; } // of this clock, its faster rate included
 
     /// Counts a tick with a ball in play. True if a block must be let go.
@@ -48,6 +51,7 @@ private:
     static constexpr std::size_t kRemembered = 32;
 
     std::uint32_t idle_ = 0;
+    Patience told_ = Patience::Calm;                    // by takeChange()
     std::array<std::uint32_t, kRemembered> meetings_{}; // keys of the last paddle hits; a ring
     std::uint32_t met_ = 0;                             // paddle hits since the last progress
 };

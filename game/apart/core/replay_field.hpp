@@ -100,7 +100,7 @@ inline constexpr std::array<std::string_view, kValueFields + kEventKinds> kField
     // In the order of Event's alternatives.
     "struck", "cracked", "broke", "released", "caught", "welded", "stuck", "launched", "spent",
     "ballSplit", "served", "ballLost", "lifeLost", "cleared", "lost", "knockedOff", "shardBroke",
-    "letGo", "fell", "bossDown", "bumped", "powerBegan", "powerEnded", "ballChanged", "leapt",
+    "letGo", "landed", "bossDown", "bumped", "powerBegan", "powerEnded", "ballChanged", "leapt",
     "forceChanged", "shardCaught", "patienceChanged", "loopSeen", "collapsed", "snapped",
     "splashed", "breached"};
 /// Names of the values of a field; empty for a numeric field.

@@ -28,6 +28,7 @@ struct Block {
     kodo::BodyId pin{};          // body that it hangs from
     std::uint32_t looseTick = 0; // tick at which it was let go, or fell
     kodo::Transform home{};      // of its body at the start
+    std::int32_t due = 0;        // points of a fallen block, until it lands
 
     bool ownsBody() const { return support != Support::Boss; }
     /// True if it must still be cleared.
@@ -38,6 +39,13 @@ struct Block {
 constexpr std::uint32_t keyOfFree(std::size_t index) {
     return static_cast<std::uint32_t>(kColumns * kMostRows) + static_cast<std::uint32_t>(index);
 }
+
+/// What a standing block rests on or hangs from at the start.
+struct Carrier {
+    kodo::BodyId block{};
+    kodo::BodyId by{};
+    kodo::Vec2 place{}; // m, of the block in the frame of `by`
+};
 
 /// Water of the level.
 struct Water {

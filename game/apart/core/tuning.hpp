@@ -136,7 +136,8 @@ inline constexpr kodo::Material kLooseMaterial = kodo::withFriction(Real(0.5), R
 inline constexpr std::int32_t kFallDivisor = 2;  // divides the points of a block that fell
 inline constexpr Real kBossBreakOff = Real(0.5); // share of strength of a block that broke off
 
-// Buildings. A standing block has fallen once it is this far from its place, or turned this much.
+// Buildings. A standing block has fallen once it is this far from its place on what carries it, or
+// turned this much.
 inline constexpr Real kFallenWay = 1;              // m
 inline constexpr Real kFallenCosine = Real(0.766); // cosine of 40 degrees
 inline constexpr kodo::Material kStandingMaterial = kodo::withFriction(Real(0.6), Real(0.15));
@@ -148,6 +149,14 @@ inline constexpr std::uint32_t kFallenTicks = 480; // 4 s: lifetime of a fallen 
 inline constexpr std::uint32_t kRubbleTicks = 180; // 1.5 s: lifetime of its shards
 inline constexpr std::uint32_t kCollapseGap = 120; // 1 s without another block ends a collapse
 inline constexpr std::int32_t kLeastCollapse = 3;  // blocks; a smaller collapse is no event
+inline constexpr std::uint32_t kTouchTicks = 12;   // 0.1 s: then contacts tell what carries a block
+inline constexpr Real kLandingSpeed = Real(1.5); // m/s, of a fallen block against what it lands on
+// A building is down once nothing has fallen for a while and the heights of its blocks that are
+// left, above the lowest one, add up to this share of the sum at the start. The rest crumbles, the
+// lowest block first.
+inline constexpr Real kDownShare = Real(0.25);
+inline constexpr std::uint32_t kDownTicks = 60;   // 0.5 s
+inline constexpr std::uint32_t kCrumbleTicks = 6; // from one block to the next
 
 // Force field of the paddle: acceleration towards or away from it, linear in the distance.
 inline constexpr Real kForceAcceleration = 36;        // m/s^2, at the paddle

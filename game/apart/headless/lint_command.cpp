@@ -21,14 +21,20 @@ struct Summary {
     std::int32_t livesLost = 0;
     std::uint32_t longestWait = 0;
     std::size_t mostBodies = 0;
-    std::uint32_t longestGap = 0;
-    std::uint64_t quietTicks = 0;
-    std::uint32_t firstHit = 0; // ticks; median of the games
+    Gaps quiet{};                // longest, and sum over all games
+    Gaps uncleared{};            // likewise
+    std::uint64_t afterFall = 0; // ticks after the largest fall
+    std::uint32_t firstHit = 0;  // ticks; median of the games
 
-    double quietShare() const { // 0..1, of the time of all games
-        return ticks == 0 ? 0 : static_cast<double>(quietTicks) / static_cast<double>(ticks);
+    double share(std::uint64_t part) const { // 0..1, of the time of all games
+        return ticks == 0 ? 0 : static_cast<double>(part) / static_cast<double>(ticks);
     }
 };
+
+void add(Gaps& sum, const Gaps& gaps) {
+    sum.longest = std::max(sum.longest, gaps.longest);
+    sum.ticks += gaps.ticks;
+}
 
 Summary summaryOf(const LintReport& report) {
     Summary sum;
@@ -39,8 +45,9 @@ Summary summaryOf(const LintReport& report) {
         sum.livesLost += run.livesLost;
         sum.longestWait = std::max(sum.longestWait, run.longestWait);
         sum.mostBodies = std::max(sum.mostBodies, run.mostBodies);
-        sum.longestGap = std::max(sum.longestGap, run.longestGap);
-        sum.quietTicks += run.quietTicks;
+        add(sum.quiet, run.quiet);
+        add(sum.uncleared, run.uncleared);
+        sum.afterFall += run.largestFallTick > 0 ? run.ticks - run.largestFallTick : 0;
         firstHits.push_back(run.firstHit);
     }
     if (!firstHits.empty()) {
@@ -60,23 +67,24 @@ double meanSeconds(const Summary& sum, const LintReport& report) {
 
 void printHead() {
     fmt::print("{:<20} {:>6} {:>7} {:>12} {:>13} {:>9} {:>10} {:>6} {:>10} {:>7} {:>10} {:>8} "
-               "{:>6} {:>6}\n",
+               "{:>6} {:>8} {:>6} {:>6} {:>6}\n",
                "level", "blocks", "reached", "waits s, <=", "clears s, <=", "bot wins",
                "in s, mean", "lost", "waited s", "bodies", "work/tick", "quiet %", "gap s",
-               "hit s");
+               "unclr %", "gap s", "after%", "hit s");
 }
 
 void printRow(const LintReport& report) {
     const Summary sum = summaryOf(report);
-    fmt::print("{:<20} {:>6} {:>7} {:>12.0f} {:>13.0f} {:>9} {:>10.1f} {:>6} {:>10.1f} {:>7} "
-               "{:>10} {:>8.1f} {:>6.1f} {:>6.2f}{}\n",
-               report.level, report.blocks,
-               report.blocks - static_cast<int>(report.outOfReach.size()),
-               seconds(report.waitBound), seconds(report.clearBound),
-               fmt::format("{} of {}", sum.won, report.runs.size()), meanSeconds(sum, report),
-               sum.livesLost, seconds(sum.longestWait), sum.mostBodies, report.workPerTick,
-               100 * sum.quietShare(), seconds(sum.longestGap), seconds(sum.firstHit),
-               report.passed() ? "" : "  FAILED");
+    fmt::print(
+        "{:<20} {:>6} {:>7} {:>12.0f} {:>13.0f} {:>9} {:>10.1f} {:>6} {:>10.1f} {:>7} "
+        "{:>10} {:>8.1f} {:>6.1f} {:>8.1f} {:>6.1f} {:>6.0f} {:>6.2f}{}\n",
+        report.level, report.blocks, report.blocks - static_cast<int>(report.outOfReach.size()),
+        seconds(report.waitBound), seconds(report.clearBound),
+        fmt::format("{} of {}", sum.won, report.runs.size()), meanSeconds(sum, report),
+        sum.livesLost, seconds(sum.longestWait), sum.mostBodies, report.workPerTick,
+        100 * sum.share(sum.quiet.ticks), seconds(sum.quiet.longest),
+        100 * sum.share(sum.uncleared.ticks), seconds(sum.uncleared.longest),
+        100 * sum.share(sum.afterFall), seconds(sum.firstHit), report.passed() ? "" : "  FAILED");
 }
 
 std::string asJson(const LintReport& report) {
@@ -93,54 +101,75 @@ std::string asJson(const LintReport& report) {
         R"({{"level": "{}", "passed": {}, "blocks": {}, "outOfReach": {}, "waitBoundTicks": {}, )"
         R"("clearBoundTicks": {}, "games": {}, "won": {}, "meanTicks": {}, "livesLost": {}, )"
         R"("longestWaitTicks": {}, "mostBodies": {}, "workPerTick": {}, "quietShare": {:.4f}, )"
-        R"("longestGapTicks": {}, "firstHitTicks": {}, "problems": [{}], "warnings": [{}]}})",
+        R"("longestGapTicks": {}, "unclearedShare": {:.4f}, "longestUnclearedTicks": {}, )"
+        R"("afterFallShare": {:.4f}, "firstHitTicks": {}, "problems": [{}], "warnings": [{}]}})",
         report.level, report.passed(), report.blocks, report.outOfReach.size(), report.waitBound,
         report.clearBound, report.runs.size(), sum.won,
         report.runs.empty() ? 0 : sum.ticks / report.runs.size(), sum.livesLost, sum.longestWait,
-        sum.mostBodies, report.workPerTick, sum.quietShare(), sum.longestGap, sum.firstHit,
-        listOf(report.problems), listOf(report.warnings));
+        sum.mostBodies, report.workPerTick, sum.share(sum.quiet.ticks), sum.quiet.longest,
+        sum.share(sum.uncleared.ticks), sum.uncleared.longest, sum.share(sum.afterFall),
+        sum.firstHit, listOf(report.problems), listOf(report.warnings));
 }
 
-/// Pace over all levels: the mean share of quiet time, the worst level, the longest gap, and the
-/// longest median time from the serve to the first hit.
-class Pace {
+/// The mean and the highest of a value of the levels.
+class Extreme {
 public:
-    void add(const LintReport& report) {
-        const Summary sum = summaryOf(report);
-        total_ += sum.quietShare();
+    void add(double value, const std::string& level) {
+        sum_ += value;
         ++levels_;
-        if (sum.quietShare() >= worst_) {
-            worst_ = sum.quietShare();
-            worstLevel_ = report.level;
-        }
-        if (sum.longestGap >= longestGap_) {
-            longestGap_ = sum.longestGap;
-            longestLevel_ = report.level;
-        }
-        if (sum.firstHit >= firstHit_) {
-            firstHit_ = sum.firstHit;
-            firstHitLevel_ = report.level;
+        if (value >= worst_) {
+            worst_ = value;
+            level_ = level;
         }
     }
-    void print() const {
-        fmt::print("Time in gaps over {} s without a crack, break, fall or catch: {:.1f} % as mean "
-                   "of the levels, {:.1f} % at worst ({}); longest gap {:.1f} s ({}).\n",
-                   kQuietGap / kTicksPerSecond, 100 * total_ / std::max(levels_, 1), 100 * worst_,
-                   worstLevel_, seconds(longestGap_), longestLevel_);
-        fmt::print("From serve to first hit of a block, median of the games: {:.2f} s at most "
-                   "({}).\n",
-                   seconds(firstHit_), firstHitLevel_);
+    double mean() const { return sum_ / std::max(levels_, 1); }
+    std::string worst(std::string_view unit) const {
+        return fmt::format("{:.1f} {} ({})", worst_, unit, level_);
     }
 
 private:
-    double total_ = 0;
-    double worst_ = 0;
+    double sum_ = 0;
     int levels_ = 0;
-    std::uint32_t longestGap_ = 0;
-    std::string worstLevel_;
-    std::string longestLevel_;
-    std::uint32_t firstHit_ = 0;
-    std::string firstHitLevel_;
+    double worst_ = 0;
+    std::string level_ = "none";
+};
+
+/// Pace over all levels.
+class Pace {
+public:
+    void add(const LintReport& report, bool building) {
+        const Summary sum = summaryOf(report);
+        quiet_.add(100 * sum.share(sum.quiet.ticks), report.level);
+        gap_.add(seconds(sum.quiet.longest), report.level);
+        uncleared_.add(100 * sum.share(sum.uncleared.ticks), report.level);
+        unclearedGap_.add(seconds(sum.uncleared.longest), report.level);
+        firstHit_.add(seconds(sum.firstHit), report.level);
+        if (building) {
+            afterFall_.add(100 * sum.share(sum.afterFall), report.level);
+        }
+    }
+    void print() const {
+        constexpr auto kLeast = kQuietGap / kTicksPerSecond;
+        fmt::print("Time in gaps over {} s without a crack, break, fall or catch: {:.1f} % as mean "
+                   "of the levels, {} at worst; longest gap {}.\n",
+                   kLeast, quiet_.mean(), quiet_.worst("%"), gap_.worst("s"));
+        fmt::print("Time in gaps over {} s without a cleared block: {:.1f} % as mean, {} at worst; "
+                   "longest gap {}.\n",
+                   kLeast, uncleared_.mean(), uncleared_.worst("%"), unclearedGap_.worst("s"));
+        fmt::print("Time after the largest fall, of levels with a building: {:.1f} % as mean, {} "
+                   "at worst.\n",
+                   afterFall_.mean(), afterFall_.worst("%"));
+        fmt::print("From serve to first hit of a block, median of the games: {} at most.\n",
+                   firstHit_.worst("s"));
+    }
+
+private:
+    Extreme quiet_;
+    Extreme gap_;
+    Extreme uncleared_;
+    Extreme unclearedGap_;
+    Extreme afterFall_;
+    Extreme firstHit_;
 };
 
 } // namespace
@@ -160,7 +189,7 @@ int runLint(const LintCommand& command) {
     }
     for (const Level& level : levels) {
         LintReport report = lint(level, command.options);
-        pace.add(report);
+        pace.add(report, isBuilding(level));
         if (command.json) {
             json += (json.empty() ? "" : ",\n ") + asJson(report);
         } else {

@@ -66,6 +66,9 @@ void Juice::tick(const Game& game) {
     now_ = game.ticks();
     age();
     take(game, game.events());
+    if (game.counts().isDown() && game.counts().downTick == now_) {
+        say(game, {"it is down", {0, Real(16.4)}, palette::kAccent, Real(1.1)});
+    }
     followBalls(game);
     for (const Part& part : game.parts()) {
         if (part.state == PartState::Launched) {

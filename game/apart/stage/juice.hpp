@@ -89,9 +89,9 @@ private:
     void onEvent(const Game& game, const Cleared& end);
     void onEvent(const Game& game, const ShardBroke& hit);
     void onEvent(const Game& game, const LetGo& let);
+    void onEvent(const Game& game, const Landed& landed);
     void onEvent(const Game& game, const Collapsed& collapse);
     void onEvent(const Game& game, const Snapped& snap);
-    void onEvent(const Game& game, const Fell& fell);
     void onEvent(const Game& game, const PatienceChanged& change);
     void onEvent(const Game& game, const BossDown& down);
     void onEvent(const Game& game, const Bumped& bump);

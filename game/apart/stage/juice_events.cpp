@@ -175,12 +175,16 @@ void Juice::onEvent(const Game& game, const LetGo& let) {
         debris_.add({let.point, {}, faded(tints().of(let.stuff), 1), 2, 2, 3, Real(1.1)},
                     share(settings_.particles));
     }
-    if (let.points > 0) {
-        say(game, {"", let.point, palette::kText, Real(0.45), let.points});
-    }
     if (let.why == LetGo::Why::Torn) {
         say(game, {"torn off", let.point, palette::kAccent, Real(0.5)});
     }
+}
+
+void Juice::onEvent(const Game& game, const Landed& landed) {
+    const Vec2 seen{landed.point.x, std::max(landed.point.y, Real(1.2))};
+    say(game, {"", seen, palette::kText, Real(0.45), landed.points});
+    debris_.add({landed.point, {0, 1}, faded(tints().of(landed.stuff), 1), 3, 1, 3, Real(1.1)},
+                share(settings_.particles));
 }
 
 void Juice::onEvent(const Game& game, const Collapsed& collapse) {
@@ -202,10 +206,6 @@ void Juice::onEvent(const Game& game, const Breached& breach) {
     push(Real(0.5));
     debris_.add({breach.point, {0, -1}, palette::kFoam, 16, 0, 9}, share(settings_.particles));
     say(game, {"the water runs out", breach.point + Vec2{0, Real(1.2)}, palette::kFoam, Real(0.7)});
-}
-
-void Juice::onEvent(const Game& game, const Fell& fell) {
-    say(game, {"", {fell.point.x, Real(1.2)}, palette::kText, Real(0.45), fell.points});
 }
 
 void Juice::onEvent(const Game& game, const PatienceChanged& change) {

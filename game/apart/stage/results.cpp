@@ -36,9 +36,6 @@ void paintScoreLines(Canvas& canvas, const ResultsLook& look) {
              countText(run.fallen, "block") + fmt::format(", {} in one fall", run.largestFall),
              run.points.fallen);
     }
-    if (run.dropped > 0) {
-        line("dropped", countText(run.dropped, "block"), run.points.dropped);
-    }
     if (run.caught > 0) {
         line("caught", countText(run.caught, "part"), run.points.caught);
     }

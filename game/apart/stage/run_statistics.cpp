@@ -12,12 +12,9 @@ void RunStatistics::update(const Game& game) {
             bestCombo = std::max(bestCombo, broke->combo);
             points.broken += broke->points;
             broken += broke->points > 0 ? 1 : 0;
-        } else if (const auto* let = std::get_if<LetGo>(&event)) {
-            points.fallen += let->points;
-            fallen += let->points > 0 ? 1 : 0;
-        } else if (const auto* fell = std::get_if<Fell>(&event)) {
-            points.dropped += fell->points;
-            ++dropped;
+        } else if (const auto* landed = std::get_if<Landed>(&event)) {
+            points.fallen += landed->points;
+            ++fallen;
         } else if (std::holds_alternative<Caught>(event)) {
             points.caught += kCatchPoints;
             ++caught;
@@ -58,7 +55,7 @@ PlayTotals RunStatistics::totalsOf(const Game& game) const {
     totals.won = game.result() == Result::Won ? 1 : 0;
     totals.seconds = static_cast<std::int32_t>(ticks / kTicksPerSecond);
     totals.broken = broken;
-    totals.fallen = fallen + dropped;
+    totals.fallen = fallen;
     totals.largestFall = largestFall;
     totals.bestCombo = bestCombo;
     return totals;

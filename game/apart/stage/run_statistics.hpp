@@ -9,15 +9,14 @@ namespace apart {
 
 /// Points of a game by their source. They add up to its score.
 struct ScoreParts {
-    std::int32_t broken = 0;  // blocks hit to pieces, combo included
-    std::int32_t fallen = 0;  // blocks of buildings, times those of the same collapse
-    std::int32_t dropped = 0; // other blocks that fell out of the field
-    std::int32_t caught = 0;  // parts
-    std::int32_t lives = 0;   // balls left at the end
-    std::int32_t prize = 0;   // for few hits
-    std::int32_t spared = 0;  // Level::keep
+    std::int32_t broken = 0; // blocks hit to pieces, combo included
+    std::int32_t fallen = 0; // blocks that fell, of buildings times those of the same collapse
+    std::int32_t caught = 0; // parts
+    std::int32_t lives = 0;  // balls left at the end
+    std::int32_t prize = 0;  // for few hits
+    std::int32_t spared = 0; // Level::keep
 
-    std::int32_t sum() const { return broken + fallen + dropped + caught + lives + prize + spared; }
+    std::int32_t sum() const { return broken + fallen + caught + lives + prize + spared; }
 };
 
 /// Statistics of one game, for the result screen.
@@ -25,7 +24,6 @@ struct RunStatistics {
     ScoreParts points;
     int broken = 0; // blocks
     int fallen = 0;
-    int dropped = 0;
     int caught = 0;   // parts
     int lastFall = 0; // blocks of the last collapse
     std::uint32_t lastFallTick = 0;

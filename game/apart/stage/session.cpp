@@ -178,8 +178,10 @@ std::optional<Replay> Session::record() const {
 }
 
 std::optional<Rerun> Session::rerun() const {
+    const std::uint32_t down =
+        game().counts().isDown() ? game().counts().downTick : statistics_.ticks;
     const bool ends = statistics_.lastFall >= kWorthRerun && game().result() == Result::Won &&
-                      statistics_.ticks <= statistics_.lastFallTick + kTicksPerSecond;
+                      down <= statistics_.lastFallTick + kTicksPerSecond;
     if (!ends || !beforeFall_ || !record_) {
         return std::nullopt;
     }

@@ -98,8 +98,8 @@ Note noteFor(const Splashed& splash) {
 Note noteFor(const Breached& breach) {
     return {Voice::Gush, 1, 0.9f, panOf(breach.point)};
 }
-Note noteFor(const Fell& fell) {
-    return {voiceOf(fell.stuff), 0.5f, 0.5f, panOf(fell.point)};
+Note noteFor(const Landed& landed) {
+    return {voiceOf(landed.stuff), 0.5f, 0.35f, panOf(landed.point)};
 }
 Note noteFor(const BossDown& down) {
     return {Voice::Boss, 1, 1, panOf(down.point)};
