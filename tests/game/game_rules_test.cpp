@@ -183,6 +183,16 @@ TEST(Serve, ItsFirstLegBendsInTheWind) {
     EXPECT_GT(leg.back().x, leg.front().x + Real(0.5));
 }
 
+TEST(Prize, TouchesOfThePaddleWithinAQuarterOfASecondAreOneHit) {
+    Counts counts;
+    counts.hit(100);
+    counts.hit(100 + kHitTicks - 1);
+    counts.hit(100 + 2 * kHitTicks - 2);
+    EXPECT_EQ(counts.hits, 1);
+    counts.hit(100 + 3 * kHitTicks - 2);
+    EXPECT_EQ(counts.hits, 2);
+}
+
 TEST(Prize, IsDividedByTheHitsOfThePaddleAndWonWithTheLastBlock) {
     Game game(levelOf(emptyRows(5) + ".......b.......\n"), 5);
     const std::int32_t all = game.counts().prize();
@@ -192,7 +202,10 @@ TEST(Prize, IsDividedByTheHitsOfThePaddleAndWonWithTheLastBlock) {
     game.tick(input);
     EXPECT_EQ(game.counts().hits, 1) << "a serve is a hit";
     EXPECT_EQ(game.counts().prize(), all);
-    GameTestAccess::shoot(game, {0, 3}, {0, -12});
+    for (std::uint32_t tick = 0; tick < kHitTicks; ++tick) {
+        GameTestAccess::shoot(game, {0, 3}, {0, -12});
+        game.tick({});
+    }
     for (int tick = 0; tick < 30; ++tick) {
         game.tick({});
     }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Picture of buildings: previews, falls and results.
 #include <apart/core/assets.hpp>
+#include <apart/stage/block_painter.hpp>
+#include <apart/stage/hud.hpp>
+#include <apart/stage/layout.hpp>
 #include <apart/stage/level_preview.hpp>
 
 #include <gtest/gtest.h>
@@ -54,6 +57,64 @@ TEST(Preview, AJointAndALedgeAddToIt) {
     RecordingCanvas bare;
     paintPreview(bare, level, {{-5, -4}, {5, 4}});
     EXPECT_GT(whole.strokes().size(), bare.strokes().size() + 15);
+}
+
+/// Gap (m) between the lower left corner of a block of 2 by 1 m and its picture.
+Real gapOf(std::uint32_t key, const kodo::Shape& shape) {
+    kodo::World world;
+    const kodo::BodyView body = world[world.add({.shape = shape})];
+    RecordingCanvas canvas;
+    paintBlock(canvas, body.part(0).convex, body.massFrame(), {.kind = {}, .key = key});
+    return length(canvas.strokes().at(0).place - Vec2{-1, Real(-0.5)});
+}
+
+// A roof would hover over its columns.
+TEST(Building, FreeBlocksAreDrawnToTheirEdges) {
+    const kodo::Shape box = kodo::Box{2, 1};
+    EXPECT_LT(gapOf(keyOfFree(0), box), Real(1e-4));
+    EXPECT_GT(gapOf(keyOfFree(0) - 1, box), Real(0.02)) << "those of the grid keep a gap";
+    const kodo::Shape wedge = kodo::Polygon{{{-1, Real(-0.5)}, {1, Real(-0.5)}, {1, Real(0.5)}}};
+    EXPECT_LT(gapOf(keyOfFree(0), wedge), Real(1e-4));
+}
+
+/// Places of all texts in the field.
+std::vector<Vec2> textsInField(const RecordingCanvas& canvas) {
+    std::vector<Vec2> places;
+    for (const Stroke& stroke : canvas.strokes()) {
+        if (!stroke.text.empty() && stroke.place.x < layout::kRight) {
+            places.push_back(stroke.place);
+        }
+    }
+    return places;
+}
+
+TEST(ServeHint, StaysWhereItIsWhileTheServeTurnsAndMachinesRun) {
+    for (const char* name : {"tower", "escapement", "mobile", "valves"}) {
+        Game game(shipped(name), 1);
+        RecordingCanvas canvas;
+        canvas.begin(layout::kShown, {});
+        paintServeHint(canvas, game, Bindings{});
+        const std::vector<Vec2> before = textsInField(canvas);
+        EXPECT_FALSE(before.empty()) << name;
+        for (int tick = 0; tick < 240; ++tick) {
+            Input input;
+            input.aim = static_cast<std::int16_t>(10 * tick - 1200);
+            game.tick(input);
+        }
+        canvas.begin(layout::kShown, {});
+        paintServeHint(canvas, game, Bindings{});
+        EXPECT_EQ(textsInField(canvas), before) << name;
+    }
+}
+
+TEST(ServeHint, IsNotShownWhileTheServeIsHeld) {
+    StageRig rig(StageRig::playing());
+    rig.frames(30);
+    EXPECT_TRUE(rig.picture().says("to serve"));
+    Signals held;
+    held.serveHeld = held.clicked = true;
+    rig.frame(held);
+    EXPECT_FALSE(rig.picture().says("to serve"));
 }
 
 // Blocks appear row by row: no rope hangs in the air before its blocks are there.

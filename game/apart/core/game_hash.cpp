@@ -110,6 +110,7 @@ std::uint64_t GameState::hash() const {
     }
     sum.add(counts.serves);
     sum.add(counts.downTick);
+    sum.add(counts.hitTick);
     sum.add(static_cast<std::uint64_t>(carriers.size()));
     add(sum, paddle.body);
     for (const Real number : {paddle.speed, paddle.sway.tilt, paddle.sway.tiltSpeed,

@@ -127,7 +127,9 @@ void judgeBall(GameState& game, const CollisionRecord& hit, BodyId ball) {
     if (hit.maxPointImpulse() < kSlightestImpact) {
         return;
     }
-    game.counts.hits += what == Role::Paddle && !game.counts.isDown() ? 1 : 0;
+    if (what == Role::Paddle) {
+        game.counts.hit(game.tick);
+    }
     game.events.emplace_back(Struck{.ball = ball,
                                     .other = other,
                                     .what = what,

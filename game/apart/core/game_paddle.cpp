@@ -103,7 +103,7 @@ void serve(GameState& game) {
             kodo::BodyRef body = game.world[ball.body];
             body.setType(kodo::BodyType::Dynamic);
             body.setVelocity(game.ballSpeed() * game.paddle.serveHeading);
-            ++game.counts.hits;
+            game.counts.hit(game.tick);
             game.events.emplace_back(Served{ball.body, body.position(), game.paddle.serveHeading});
         }
     }

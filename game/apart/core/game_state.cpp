@@ -42,6 +42,12 @@ Real GameState::ballSpeed() const {
     return static_cast<Real>(level->ballSpeed) / 1000 * (1 + kSpeedUp * share);
 }
 
+void Counts::hit(std::uint32_t tick) {
+    const bool apart = hits == 0 || tick - hitTick >= kHitTicks;
+    hits += apart && !isDown() ? 1 : 0;
+    hitTick = tick;
+}
+
 kodo::Transform GameState::frameOf(const Block& block) const {
     const kodo::BodyView body = world[block.body];
     const kodo::Transform frame{body.position(), body.rotation()};

@@ -30,9 +30,12 @@ struct Counts {
     std::int32_t blocksAtStart = 0;
     std::uint32_t serves = 0;
     std::int32_t hits = 0;      // of balls on the paddle; a serve is one
+    std::uint32_t hitTick = 0;  // of the last hit
     std::int32_t fullPrize = 0; // points of a game won with one hit
     std::uint32_t downTick = 0; // at which the building was down; 0: it is not
 
+    /// A ball touched the paddle, or was served, at a tick.
+    void hit(std::uint32_t tick);
     /// Points for few hits, if the game were won now.
     std::int32_t prize() const { return fullPrize / std::max(hits, 1); }
     /// What is left of the building crumbles, and no ball is needed any more.

@@ -123,7 +123,8 @@ inline constexpr std::int32_t kLifePoints = 1000;   // for each life left at the
 inline constexpr std::int32_t kSparedPoints = 2000; // for what Level::keep spares
 // The prize of a won level: its blocks' points times this, divided by the hits of the paddle.
 inline constexpr std::int32_t kPrizeFactor = 16;
-inline constexpr std::int32_t kMostCombo = 8; // largest factor of points
+inline constexpr std::uint32_t kHitTicks = 30; // 0.25 s: touches of the paddle in it are one hit
+inline constexpr std::int32_t kMostCombo = 8;  // largest factor of points
 
 // Obstructions.
 inline constexpr kodo::Material kObstructionMaterial = kodo::withFriction(Real(0.3), 1);

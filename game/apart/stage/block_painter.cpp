@@ -13,7 +13,7 @@ namespace apart {
 namespace {
 
 constexpr int kRoundCorners = 24;
-constexpr Real kGap = Real(0.05);   // m, gap between two blocks
+constexpr Real kGap = Real(0.05);   // m, from a block of the grid to its edge
 constexpr Real kBadge = Real(0.29); // m, radius of the disc under a symbol
 
 /// A line in the frame of a block, in shares of its half width and half height.
@@ -179,6 +179,11 @@ void paintLit(Canvas& canvas, std::span<const Vec2> corners, Color color, Rim ri
 
 namespace {
 
+/// Free blocks rest on one another: they are drawn to their edges.
+bool reachesEdge(const BlockLook& look) {
+    return look.key >= keyOfFree(0);
+}
+
 struct Surface {
     Color color;
     Rim rim;
@@ -212,7 +217,8 @@ void paintRectangle(Canvas& canvas, const kodo::ConvexShape& outline, const kodo
                     const BlockLook& look) {
     const kodo::Transform place{body * outline.middle, body.rotation};
     const Vec2 half = Real(0.5) * kodo::aabbOf(std::span<const Vec2>(outline.vertices)).extent();
-    const Real gap = std::min(kGap, Real(0.2) * std::min(half.x, half.y));
+    const Real gap =
+        reachesEdge(look) ? Real(0) : std::min(kGap, Real(0.2) * std::min(half.x, half.y));
     const Vec2 inner = look.scale * (half - Vec2{gap, gap});
     const std::array<Vec2, 4> corners = {place * -inner, place * Vec2{inner.x, -inner.y},
                                          place * inner, place * Vec2{-inner.x, inner.y}};
@@ -242,7 +248,7 @@ void paintRectangle(Canvas& canvas, const kodo::ConvexShape& outline, const kodo
 void paintRound(Canvas& canvas, const kodo::ConvexShape& outline, const kodo::Transform& body,
                 const BlockLook& look) {
     const Vec2 middle = body * outline.middle;
-    const Real radius = look.scale * (outline.radius - Real(0.02));
+    const Real radius = look.scale * (outline.radius - (reachesEdge(look) ? 0 : Real(0.02)));
     const kodo::ConvexShape& shape = outline;
     const std::vector<Vec2> corners = cornersOf(shape, body);
     paintGlow(canvas, corners, look.glow);
@@ -269,7 +275,7 @@ void paintConvex(Canvas& canvas, const kodo::ConvexShape& outline, const kodo::T
         }
         return corners;
     };
-    const std::vector<Vec2> corners = shrunk(Real(0.94) * look.scale);
+    const std::vector<Vec2> corners = shrunk((reachesEdge(look) ? 1 : Real(0.94)) * look.scale);
     paintGlow(canvas, corners, look.glow);
     const Surface surface = surfaceOf(canvas, look);
     paintLit(canvas, corners, surface.color, surface.rim);

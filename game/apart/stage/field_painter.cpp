@@ -7,14 +7,16 @@
 #include <apart/stage/palette.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace apart {
 
 namespace {
 
-constexpr Real kTitle = Real(0.75); // m; popups from this height on have the display face
-constexpr Real kNudge = Real(0.09); // m, displacement of a block at the strongest impact
+constexpr Real kTitle = Real(0.75);      // m; popups from this height on have the display face
+constexpr Real kShardShare = Real(0.88); // of its size, at which a shard is drawn
+constexpr Real kNudge = Real(0.09);      // m, displacement of a block at the strongest impact
 
 /// Eases from 0 to 1 with a slight overshoot.
 Real swung(Real t) {
@@ -115,13 +117,16 @@ void paintWarnings(Canvas& canvas, const Moment& moment) {
 void paintShards(Canvas& canvas, const Moment& moment) {
     for (const Shard& shard : moment.game.shards()) {
         const kodo::BodyView body = moment.game.world()[shard.body];
-        const std::vector<Vec2> corners =
-            cornersOf(body.part(0).convex, moment.placeOf(shard.body));
+        std::vector<Vec2> corners = cornersOf(body.part(0).convex, moment.placeOf(shard.body));
+        const Vec2 middle = moment.placeOf(shard.body) * body.part(0).convex.middle;
+        for (Vec2& corner : corners) { // so that cracks gape from the first picture on
+            corner = middle + kShardShare * (corner - middle);
+        }
         // Shards fade during their last second.
         const auto age = static_cast<float>(moment.game.ticks() - shard.bornTick);
         const float left = std::clamp((static_cast<float>(kShardTicks) - age) / 120, 0.0f, 1.0f);
         const Color own = darker(canvas.palette().of(shard.stuff), 0.1f);
-        // New ones are white hot: together they have the outline of the broken block.
+        // New ones are white hot.
         const float hot = std::max(1 - age / Glint::kTicks, 0.0f) * moment.juice.flashes().punch();
         const Color color = faded(lighter(own, hot), left);
         paintLit(canvas, corners, color, {Real(0.032), faded(lighter(color, 0.45f), 0.75f)});
@@ -187,8 +192,23 @@ void paintFlash(Canvas& canvas, const Moment& moment) {
         return;
     }
     using namespace layout;
+    // A rim: a sheet over the field would change the colours of all in it.
+    constexpr Real kDepth = Real(2.2); // m
     const Color color = faded(moment.juice.flashes().color(), moment.juice.flashes().field());
-    canvas.rectangle({{kLeft, -1}, {kRight, kTop}}, color, color);
+    const Color none = faded(color, 0);
+    const std::array<Vec2, 4> outer = {
+        Vec2{kLeft, -1}, {kRight, -1}, {kRight, kTop}, {kLeft, kTop}};
+    const Vec2 middle{(kLeft + kRight) / 2, (kTop - 1) / 2};
+    const Vec2 share{1 - 2 * kDepth / (kRight - kLeft), 1 - 2 * kDepth / (kTop + 1)};
+    const auto inner = [&](std::size_t i) {
+        const Vec2 way = outer[i] - middle;
+        return middle + Vec2{share.x * way.x, share.y * way.y};
+    };
+    for (std::size_t i = 0; i < outer.size(); ++i) {
+        const std::size_t next = (i + 1) % outer.size();
+        canvas.facet(std::array{outer[i], outer[next], inner(next), inner(i)},
+                     std::array{color, color, none, none});
+    }
 }
 
 } // namespace

@@ -81,12 +81,10 @@ void paintLives(Canvas& canvas, const Game& game) {
 /// Hits so far, and the prize that they leave.
 void paintHits(Canvas& canvas, const Game& game) {
     const Real y = Real(9.85);
-    const Vec2 middle{kPanelLeft + Real(1.9), y};
     canvas.text(fmt::format("HITS  {}", game.counts().hits), {kPanelLeft, y},
                 {Real(0.42), palette::kQuiet, Typeface::Plain, Align::Left, Real(1.8)});
-    canvas.text(
-        "prize " + grouped(game.counts().prize()), middle,
-        {Real(0.42), palette::kAccent, Typeface::Bold, Align::Left, kPanelRoom - Real(1.9)});
+    canvas.text("prize " + grouped(game.counts().prize()), {kPanelRight, y},
+                {Real(0.42), palette::kAccent, Typeface::Bold, Align::Right, Real(2.8)});
 }
 
 void paintProgress(Canvas& canvas, const Game& game) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Title, idea and keys of a level beside the field's contents.
+#include <apart/core/paddle.hpp>
 #include <apart/core/tuning.hpp>
 #include <apart/stage/block_bounds.hpp>
+#include <apart/stage/block_painter.hpp>
 #include <apart/stage/hud.hpp>
 #include <apart/stage/layout.hpp>
 #include <apart/stage/letterforms.hpp>
@@ -63,19 +65,51 @@ std::vector<Aabb> hintBoxes(const Canvas& canvas, const HintGroup& group) {
     return boxes;
 }
 
-/// What no word may cover: blocks, ropes, springs, and the dots that show the serve.
+/// Where a point of a body (m, world) was at the start of the level. Texts then stay where they are
+/// while machines run.
+Vec2 atStart(const Game& game, kodo::BodyId body, Vec2 point) {
+    const Block* block = game.findBlock(body);
+    const bool moves = block != nullptr &&
+                       (block->support == Support::Standing || block->support == Support::Moving);
+    return moves ? block->home * toLocal(game.world()[body].transform(), point) : point;
+}
+
+Aabb boundsAtStart(const Game& game, const Block& block) {
+    if (!block.ownsBody()) {
+        const Aabb now = boundsOf(game, block);
+        const auto drift = static_cast<Real>(game.level().bossDrift) / 1000;
+        const Real middle = game.world()[block.body].position().x;
+        const Vec2 side{drift + std::abs(middle), 0}; // a boss moves about the middle
+        return {now.lower - side, now.upper + side};
+    }
+    std::vector<Vec2> corners;
+    const kodo::BodyView body = game.world()[block.body];
+    for (std::size_t i = 0; i < body.partCount(); ++i) {
+        for (const Vec2 corner : cornersOf(body.part(i).convex, body.massFrame())) {
+            corners.push_back(atStart(game, block.body, corner));
+        }
+    }
+    return kodo::aabbOf(std::span<const Vec2>(corners));
+}
+
+/// What no word may cover: blocks, ropes, springs, and the dots of a serve from the middle that is
+/// not aimed. None of it moves before a serve.
 std::vector<Aabb> keptFree(const Game& game) {
-    constexpr int kPieces = 8; // of a rope
+    constexpr int kPieces = 8;          // of a rope
+    constexpr Real kDotted = Real(4.4); // m, of the serve
     std::vector<Aabb> free;
     const auto add = [&](kodo::Aabb bounds) { free.push_back(bounds.grown(kHintMargin)); };
     for (const Block& block : game.blocks()) {
-        add(boundsOf(game, block));
+        add(boundsAtStart(game, block));
     }
     for (const Link& link : game.links()) {
         const kodo::JointDef& def = game.world().joint(link.joint);
         if (const auto* line = std::get_if<kodo::DistanceJoint>(&def)) {
-            const Vec2 a = game.world()[line->ends.a].transform() * line->ends.anchorA;
-            const Vec2 b = game.world()[line->ends.b].transform() * line->ends.anchorB;
+            const auto end = [&](kodo::BodyId body, Vec2 anchor) {
+                return atStart(game, body, game.world()[body].transform() * anchor);
+            };
+            const Vec2 a = end(line->ends.a, line->ends.anchorA);
+            const Vec2 b = end(line->ends.b, line->ends.anchorB);
             for (int i = 0; i < kPieces; ++i) {
                 const Vec2 from = a + static_cast<Real>(i) / kPieces * (b - a);
                 const Vec2 to = from + Real(1) / kPieces * (b - a);
@@ -84,12 +118,12 @@ std::vector<Aabb> keptFree(const Game& game) {
             }
         }
     }
-    for (const Ball& ball : game.balls()) {
-        for (int i = 1; ball.riding && i <= 9; ++i) {
-            const Vec2 dot = game.world()[ball.body].position() +
-                             Real(0.5) * static_cast<Real>(i) * game.serveHeading();
-            add({dot - Vec2{Real(0.25), Real(0.25)}, dot + Vec2{Real(0.25), Real(0.25)}});
-        }
+    for (int i = 1; i <= 9; ++i) {
+        const Real way = Real(0.5) * static_cast<Real>(i);
+        const Real arc = std::sqrt(std::max(kDotted * kDotted - way * way, Real(0)));
+        const Real half = std::min(kServeSlope * way, arc) + Real(0.16);
+        const Real y = kPaddleY + domeHeight(0) + kBallRadius + way;
+        add({{-half, y - Real(0.25)}, {half, y + Real(0.25)}});
     }
     return free;
 }
@@ -243,7 +277,9 @@ void paintServeHint(Canvas& canvas, const Game& game, const Bindings& keys) {
         return;
     }
     // In parts. The panel has the title, and the pause the keys.
-    if (!painter.paint({serve})) {
+    HintGroup small = serve; // fits beside a building where the usual one does not
+    small[0].height = Real(0.4);
+    if (!painter.paint({serve, small})) {
         painter.paintAnyway(serve);
     }
     painter.paint(titles);

@@ -300,7 +300,8 @@ void Stage::draw(Canvas& canvas) const {
         }
         paintReload(canvas, reload_, seconds_);
         paintQuestion(canvas, question, Real(4.3)); // if there is one
-        if (question.empty() && reload_.faults.empty() && !reload_.hasNews(seconds_)) {
+        if (question.empty() && reload_.faults.empty() && !reload_.hasNews(seconds_) &&
+            !inputMapper_.aims()) {
             paintServeHint(canvas, game(), profile().bindings);
         }
         if (game().result() == Result::Won) {
