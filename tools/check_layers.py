@@ -31,6 +31,9 @@ LAYER_OF = {name: layer for layer, names in PUBLIC.items() for name in names.spl
 MAY_USE = {f"engine/src/{name}": ENGINE[:i] for i, name in enumerate(ENGINE)}
 MAY_USE["engine/src/broad"] = ["base", "math"]  # works on bounds, not on shapes
 MAY_USE["engine/include/kodo"] = ["public"]
+MAY_USE["engine/c/kodo_c"] = ["public"]
+MAY_USE["engine/c/examples"] = []
+MAY_USE["engine/c"] = []
 MAY_USE["engine/sfml/kodo_draw"] = ["public"]
 MAY_USE["engine/sfml/kodo_sfml"] = ["public", "kodo_draw"]
 MAY_USE["engine/examples"] = ["public", "kodo_draw", "kodo_sfml"]
@@ -135,7 +138,7 @@ def check_user(owner, mark, include):
     own = owner.partition("/")[2]
     if mark == '"':
         return f'"{include}": include by full path, as in <kodo/world.hpp>'
-    for layer in ("kodo_sfml", "apart/core", "apart/stage", "apart/headless", "apart/sfml"):
+    for layer in ("kodo_c", "kodo_sfml", "apart/core", "apart/stage", "apart/headless", "apart/sfml"):
         allowed = layer in MAY_USE[owner] or own.endswith(layer)
         if include.startswith(f"{layer}/") and not allowed:
             return f"{own} must not include {layer}"

@@ -1,13 +1,17 @@
 # SPDX-License-Identifier: MIT
 # Install rules of the engine. Components: kodo-dev (headers, static libraries, CMake and pkg-config
-# files), kodo-runtime (shared libraries), kodo-sfml-dev (see sfml/), apart (see game/).
+# files), kodo-runtime (shared libraries), kodo-c and kodo-c-dev (see c/), kodo-sfml-dev (see sfml/),
+# apart (see game/).
 include(CMakePackageConfigHelpers)
 
 # kodo_install_pkg_config(NAME DESCRIPTION text LIBRARY name [REQUIRES list] [CFLAGS flag]
-# [PRIVATE flag]): NAME.pc, in the component NAME-dev or, for the engine, kodo-dev. Its paths are
+# [PRIVATE flag] [COMPONENT name]): NAME.pc, in the component kodo-dev or another one. Its paths are
 # relative to itself, so an installed tree may be moved.
 function(kodo_install_pkg_config name)
-    cmake_parse_arguments(arg "" "DESCRIPTION;LIBRARY;REQUIRES;CFLAGS;PRIVATE" "" ${ARGN})
+    cmake_parse_arguments(arg "" "DESCRIPTION;LIBRARY;REQUIRES;CFLAGS;PRIVATE;COMPONENT" "" ${ARGN})
+    if(NOT arg_COMPONENT)
+        set(arg_COMPONENT kodo-dev)
+    endif()
     file(RELATIVE_PATH up_to_prefix
         ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX}/.)
     string(REGEX REPLACE "/$" "" up_to_prefix ${up_to_prefix})
@@ -18,11 +22,7 @@ function(kodo_install_pkg_config name)
     endforeach()
     configure_file(${PROJECT_SOURCE_DIR}/engine/package/kodo.pc.in
         ${PROJECT_BINARY_DIR}/package/${name}.pc @ONLY)
-    set(component kodo-dev)
-    if(name STREQUAL "kodo-sfml")
-        set(component kodo-sfml-dev)
-    endif()
-    install(FILES ${PROJECT_BINARY_DIR}/package/${name}.pc COMPONENT ${component}
+    install(FILES ${PROJECT_BINARY_DIR}/package/${name}.pc COMPONENT ${arg_COMPONENT}
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endfunction()
 
@@ -56,11 +56,11 @@ install(FILES
     DESTINATION ${kodo_cmake_folder} COMPONENT kodo-dev)
 install(EXPORT kodo-targets NAMESPACE kodo:: DESTINATION ${kodo_cmake_folder} COMPONENT kodo-dev)
 
-kodo_install_pkg_config(kodo LIBRARY kodo PRIVATE -pthread
+kodo_install_pkg_config(kodo LIBRARY kodo PRIVATE -pthread CFLAGS -std=c++20
     DESCRIPTION "2D rigid-body engine, single precision")
 if(KODO_DOUBLE)
-    kodo_install_pkg_config(kodo64 LIBRARY kodo64 PRIVATE -pthread CFLAGS -DKODO_DOUBLE
-        DESCRIPTION "2D rigid-body engine, double precision")
+    kodo_install_pkg_config(kodo64 LIBRARY kodo64 PRIVATE -pthread
+        CFLAGS "-std=c++20 -DKODO_DOUBLE" DESCRIPTION "2D rigid-body engine, double precision")
 endif()
 
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE COMPONENT kodo-dev
@@ -68,10 +68,29 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE COMPONENT kodo-dev
 install(FILES CHANGELOG.md README.md COMPONENT kodo-dev DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/kodo)
 # The pages, their pictures and the examples lie beside each other as in the sources, so that links
 # between them hold.
-install(DIRECTORY docs examples COMPONENT kodo-dev
+install(DIRECTORY docs examples c COMPONENT kodo-dev
     DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/kodo
-    FILES_MATCHING PATTERN *.md PATTERN *.svg PATTERN *.cpp PATTERN *.txt
-    PATTERN CMakeLists.txt EXCLUDE)
+    FILES_MATCHING PATTERN *.md PATTERN *.svg PATTERN *.cpp PATTERN *.c PATTERN *.txt
+    PATTERN CMakeLists.txt EXCLUDE PATTERN kodo_c EXCLUDE)
+if(KODO_C)
+    set(kodo_c_documents ${CMAKE_INSTALL_DATADIR}/doc/kodo-c)
+    install(TARGETS ${kodo_c_libraries} EXPORT kodo-c-targets
+        ARCHIVE COMPONENT kodo-c-dev # import libraries of Windows
+        RUNTIME COMPONENT kodo-c
+        LIBRARY COMPONENT kodo-c NAMELINK_COMPONENT kodo-c-dev)
+    install(FILES c/kodo.h TYPE INCLUDE COMPONENT kodo-c-dev)
+    install(EXPORT kodo-c-targets NAMESPACE kodo:: DESTINATION ${kodo_cmake_folder}
+        COMPONENT kodo-c-dev)
+    kodo_install_pkg_config(kodo_c LIBRARY kodo_c COMPONENT kodo-c-dev
+        DESCRIPTION "2D rigid-body engine, C interface, single precision")
+    if(KODO_DOUBLE)
+        kodo_install_pkg_config(kodo_c64 LIBRARY kodo_c64 CFLAGS -DKODO_DOUBLE COMPONENT kodo-c-dev
+            DESCRIPTION "2D rigid-body engine, C interface, double precision")
+    endif()
+    install(FILES ${PROJECT_SOURCE_DIR}/LICENSE COMPONENT kodo-c DESTINATION ${kodo_c_documents})
+    install(FILES ${PROJECT_SOURCE_DIR}/LICENSE COMPONENT kodo-c-dev
+        DESTINATION ${kodo_c_documents}-dev)
+endif()
 if(BUILD_SHARED_LIBS)
     install(FILES ${PROJECT_SOURCE_DIR}/LICENSE COMPONENT kodo-runtime
         DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/kodo-runtime)

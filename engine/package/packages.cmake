@@ -68,6 +68,12 @@ if(BUILD_SHARED_LIBS)
     set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/engine) # for the game
 endif()
 kodo_package(kodo-dev libkodo-dev libdevel DEPENDS ${runtime})
+if(TARGET kodo_c)
+    set(package libkodo-c${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+    kodo_package(kodo-c ${package} libs DEPENDS ${runtime} SHLIBDEPS)
+    kodo_package(kodo-c-dev libkodo-c-dev libdevel
+        DEPENDS "${package} (= ${PROJECT_VERSION}), libkodo-dev (= ${PROJECT_VERSION})")
+endif()
 if(TARGET kodo_sfml)
     kodo_package(kodo-sfml-dev libkodo-sfml-dev libdevel
         DEPENDS "libkodo-dev (= ${PROJECT_VERSION}), libsfml-dev (>= 2.5)")
@@ -96,6 +102,16 @@ Rigid bodies, joints, force fields and continuous collision for games. The
 same input gives the same bits on every machine. This package holds the
 headers, ${libraries},
 and the files for CMake and pkg-config.")
+cpack_add_component(kodo-c GROUP engine
+    DISPLAY_NAME "Kodo, C interface"
+    DESCRIPTION "2D rigid-body engine, libraries with a C interface
+Rigid bodies, joints, force fields and continuous collision for games, for C
+and for languages that call C. The same input gives the same bits on every
+machine.")
+cpack_add_component(kodo-c-dev GROUP engine DEPENDS kodo-c
+    DISPLAY_NAME "Kodo, C interface, files for development"
+    DESCRIPTION "2D rigid-body engine, files for development in C
+The header kodo.h, and the files for CMake and pkg-config.")
 cpack_add_component(kodo-sfml-dev GROUP engine DEPENDS kodo-dev
     DISPLAY_NAME "Kodo with SFML, files for development"
     DESCRIPTION "2D rigid-body engine, drawing with SFML, files for development

@@ -126,6 +126,8 @@ def check_find_package(prefix, sfml):
     run("cmake", "--build", build, "-j2")
     for precision in PRECISIONS:
         check_drop(build / f"drop{precision}", precision)
+        if (prefix / "include/kodo.h").exists():
+            check_drop(build / f"drop_c{precision}", precision)
     if sfml:
         run(build / "camera")
 
@@ -154,6 +156,24 @@ def check_pkg_config(prefix, sfml):
         check_drop(build("drop.cpp", module), precision, **libraries)
     if sfml:
         run(build("camera.cpp", "kodo-sfml"), **libraries)
+    check_c(prefix, path)
+
+
+def check_c(prefix, path):
+    """The C interface by pkg-config: a program in C prints the hash of that in C++."""
+    compiler = shutil.which("cc")
+    if compiler is None:
+        print("cc is missing: the C interface is not tested with pkg-config.")
+        return
+    for precision, definitions in PRECISIONS.items():
+        module = f"kodo_c{precision}"
+        flags = run("pkg-config", "--cflags", "--libs", module, **path).split()
+        found = [flag for flag in flags if flag.startswith("-D")]
+        check(found == definitions, f"{module}.pc gives {flags}")
+        program = work / module
+        warnings = ("-std=c11", "-Wall", "-Wextra", "-Wpedantic", "-Werror")
+        run(compiler, *warnings, CONSUMER / "drop_c.c", *flags, "-o", program)
+        check_drop(program, precision, LD_LIBRARY_PATH=str(prefix / "lib"))
 
 
 def check_old_standard(include):
@@ -174,7 +194,7 @@ def check_unknown_component(prefix):
     source.mkdir()
     (source / "CMakeLists.txt").write_text(
         "cmake_minimum_required(VERSION 3.25)\nproject(nonsense LANGUAGES CXX)\n"
-        "find_package(kodo CONFIG REQUIRED COMPONENTS kodo kodo64)\n"
+        "find_package(kodo CONFIG REQUIRED COMPONENTS kodo kodo64 kodo_c kodo_c64)\n"
         "find_package(kodo CONFIG REQUIRED COMPONENTS nonsense)\n"
     )
     command = ("cmake", "-S", source, "-B", source / "build", f"-DCMAKE_PREFIX_PATH={prefix}")
@@ -185,7 +205,8 @@ def check_unknown_component(prefix):
 
 def check_documents(prefix):
     documents = prefix / "share/doc/kodo"
-    for name in ("LICENSE", "CHANGELOG.md", "docs/manual.md", "examples/hello.cpp"):
+    for name in ("LICENSE", "CHANGELOG.md", "docs/manual.md", "examples/hello.cpp",
+                 "c/examples/hello.c"):
         check((documents / name).is_file(), f"share/doc/kodo has no {name}")
     for page in (documents / "docs").glob("*.md"):
         for link in re.findall(r"\]\(([\w/-]*\.[\w./-]+)", page.read_text(encoding="utf-8")):
@@ -272,7 +293,8 @@ def check_unsafe(prefix):
 def install_moved(build, name):
     """The prefix of an installed engine that was moved, and whether it has kodo::sfml."""
     sfml = (build / "engine/sfml").is_dir()
-    for component in ("kodo-dev", "kodo-runtime", *["kodo-sfml-dev"] * sfml):
+    parts = ("kodo-dev", "kodo-runtime", "kodo-c", "kodo-c-dev", *["kodo-sfml-dev"] * sfml)
+    for component in parts:
         run("cmake", "--install", build, "--prefix", work / "before", "--component", component)
     return (work / "before").rename(work / name), sfml
 
@@ -386,7 +408,8 @@ def shared():
         "-DCMAKE_BUILD_TYPE=Release",
         "-DCMAKE_CXX_FLAGS_RELEASE=-O0",  # no speed is measured, and the bits are the same
     )
-    libraries = ["kodo", "kodo64", *["kodo_sfml"] * (build / "engine/sfml").is_dir()]
+    libraries = ["kodo", "kodo64", "kodo_c", "kodo_c64"]
+    libraries += ["kodo_sfml"] * (build / "engine/sfml").is_dir()
     run("cmake", "--build", build, "-j2", "--target", *libraries, CCACHE_BASEDIR=str(work))
     prefix, sfml = install_moved(build, "installed")
     check(not list(prefix.glob("lib/libkodo.a")), "a static library beside the shared one")

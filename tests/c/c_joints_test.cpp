@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include <limits>
+
+#include "c_world.hpp"
+
+namespace {
+
+using namespace c_test;
+
+/// Two discs in C and the same in C++.
+struct Pair {
+    CWorld world;
+    kodo::World other = cppWorld();
+    kodo_BodyId a = world.add(bodyAt(0, 0));
+    kodo_BodyId b = world.add(bodyAt(2, 0));
+    kodo::BodyId otherA = other.add({});
+    kodo::BodyId otherB = other.add({.position = {2, 0}});
+
+    kodo_JointEnds ends() const {
+        return {a, b, {1, kodo_Real(0.5)}, {-1, kodo_Real(0.25)}, 1000, 2000, true};
+    }
+    kodo::JointEnds otherEnds() const {
+        return {otherA, otherB, {1, kodo::Real(0.5)}, {-1, kodo::Real(0.25)}, 1000, 2000, true};
+    }
+    /// The joint of C is that of C++, also after it is read, removed and added again.
+    void expectSame(const kodo_JointDef& def, const kodo::JointDef& expected) {
+        const kodo_JointId id = world.add(def);
+        other.add(expected);
+        EXPECT_EQ(other.stateHash(), world.hash());
+        kodo_JointDef read{};
+        EXPECT_OK(kodo_joint(world, id, &read));
+        EXPECT_EQ(def.kind, read.kind);
+        EXPECT_OK(kodo_setJoint(world, id, &read));
+        EXPECT_EQ(other.stateHash(), world.hash());
+
+        world.step(5);
+        for (int i = 0; i < 5; ++i) {
+            other.step(kodo::Real(1) / 60);
+        }
+        EXPECT_EQ(other.stateHash(), world.hash());
+        kodo_Load load{};
+        EXPECT_OK(kodo_jointLoad(world, id, &load));
+        const kodo::JointId otherId = other.joints().front();
+        EXPECT_EQ(other.jointForce(otherId).x, load.force.x);
+        EXPECT_EQ(other.jointForce(otherId).y, load.force.y);
+        EXPECT_EQ(other.jointTorque(otherId), load.torque);
+
+        EXPECT_OK(kodo_removeJoint(world, id));
+        bool contained = true;
+        EXPECT_OK(kodo_containsJoint(world, id, &contained));
+        EXPECT_FALSE(contained);
+    }
+};
+
+TEST(CJoints, ARevoluteJointIsThatOfCpp) {
+    Pair pair;
+    kodo_JointDef def = kodo_jointDef(KODO_REVOLUTE_JOINT);
+    def.revolute = {pair.ends(), kodo_Real(0.1), true, {-1, 2}, 3, 4};
+    pair.expectSame(
+        def, kodo::RevoluteJoint{pair.otherEnds(), kodo::Real(0.1), kodo::Range{-1, 2}, 3, 4});
+}
+
+TEST(CJoints, AFixedJointIsThatOfCpp) {
+    Pair pair;
+    kodo_JointDef def = kodo_jointDef(KODO_FIXED_JOINT);
+    def.fixed = {pair.ends(), kodo_Real(0.1)};
+    pair.expectSame(def, kodo::FixedJoint{pair.otherEnds(), kodo::Real(0.1)});
+}
+
+TEST(CJoints, ADistanceJointIsThatOfCpp) {
+    Pair pair;
+    kodo_JointDef def = kodo_jointDef(KODO_DISTANCE_JOINT);
+    def.distance = {pair.ends(), kodo_Real(0.1), 2, 3, true, {0, 4}};
+    pair.expectSame(
+        def, kodo::DistanceJoint{pair.otherEnds(), kodo::Real(0.1), 2, 3, kodo::Range{0, 4}});
+}
+
+TEST(CJoints, APrismaticJointIsThatOfCpp) {
+    Pair pair;
+    kodo_JointDef def = kodo_jointDef(KODO_PRISMATIC_JOINT);
+    def.prismatic = {pair.ends(), {0, 1}, kodo_Real(0.1), true, {-1, 2}, 3, 4};
+    pair.expectSame(def, kodo::PrismaticJoint{
+                             pair.otherEnds(), {0, 1}, kodo::Real(0.1), kodo::Range{-1, 2}, 3, 4});
+}
+
+TEST(CJoints, AMotorJointIsThatOfCpp) {
+    Pair pair;
+    kodo_JointDef def = kodo_jointDef(KODO_MOTOR_JOINT);
+    def.motor = {pair.ends(), kodo_Real(0.1), 2, 3, 4, 5};
+    pair.expectSame(def, kodo::MotorJoint{pair.otherEnds(), kodo::Real(0.1), 2, 3, 4, 5});
+}
+
+TEST(CJoints, AMouseJointIsThatOfCpp) {
+    Pair pair;
+    kodo_JointDef def = kodo_jointDef(KODO_MOUSE_JOINT);
+    def.mouse = {pair.a, {0, kodo_Real(0.25)}, {1, 2}, 30, 4, 5};
+    pair.expectSame(def, kodo::MouseJoint{pair.otherA, {0, kodo::Real(0.25)}, {1, 2}, 30, 4, 5});
+}
+
+TEST(CJoints, DefaultsAreThoseOfCpp) {
+    const kodo_JointDef revolute = kodo_jointDef(KODO_REVOLUTE_JOINT);
+    EXPECT_EQ(std::numeric_limits<kodo_Real>::infinity(), revolute.revolute.ends.breakForce);
+    EXPECT_FALSE(revolute.revolute.hasLimits);
+    EXPECT_EQ(kodo::DistanceJoint{}.length, kodo_jointDef(KODO_DISTANCE_JOINT).distance.length);
+    EXPECT_EQ(1, kodo_jointDef(KODO_PRISMATIC_JOINT).prismatic.axis.x);
+    EXPECT_EQ(kodo::MotorJoint{}.hertz, kodo_jointDef(KODO_MOTOR_JOINT).motor.hertz);
+    EXPECT_EQ(kodo::MouseJoint{}.damping, kodo_jointDef(KODO_MOUSE_JOINT).mouse.damping);
+}
+
+TEST(CJoints, ABrokenJointIsListedWithItsLoad) {
+    const CWorld world;
+    kodo_BodyDef hook = bodyAt(0, 0);
+    hook.type = KODO_STATIC;
+    kodo_JointDef def = kodo_jointDef(KODO_FIXED_JOINT);
+    def.fixed.ends.a = world.add(hook);
+    def.fixed.ends.b = world.add(bodyAt(0, -2));
+    def.fixed.ends.anchorA.y = -1;
+    def.fixed.ends.anchorB.y = 1;
+    def.fixed.ends.breakForce = kodo_Real(0.1); // N; the disc weighs 8 N
+    const kodo_JointId id = world.add(def);
+    world.step();
+    kodo_BrokenJoint broken{};
+    std::size_t count = 0;
+    EXPECT_OK(kodo_brokenJoints(world, &broken, 1, &count));
+    ASSERT_EQ(1u, count);
+    EXPECT_EQ(id.index, broken.id.index);
+    EXPECT_TRUE(kodo_sameBody(def.fixed.ends.b, broken.b));
+    EXPECT_GT(broken.force, kodo_Real(0.1));
+    EXPECT_OK(kodo_joints(world, nullptr, 0, &count));
+    EXPECT_EQ(0u, count);
+}
+
+} // namespace
