@@ -20,32 +20,33 @@ constexpr std::size_t kFewJoints = 10;
 
 } // namespace
 
-void HeldRows::add(const PointConstraint& anchors, Vec2 soFar, std::size_t firstSlot) {
-    const Vec2 p = anchors.armA;
-    const Vec2 q = anchors.armB;
-    point = count;
-    a[count] = {-1, 0, p.y};
-    b[count] = {1, 0, -q.y};
-    error[count] = anchors.error.x;
-    arc[count] = anchors.arc.x;
-    slot[count] = firstSlot;
-    impulse[count++] = soFar.x;
-    a[count] = {0, -1, -p.x};
-    b[count] = {0, 1, q.x};
-    error[count] = anchors.error.y;
-    arc[count] = anchors.arc.y;
-    slot[count] = firstSlot + 1;
-    impulse[count++] = soFar.y;
-    armA = p;
-    armB = q;
+void HeldRows::add(const PointConstraint& anchors, Vec2 soFar, std::size_t) {
+    point = true;
+    armA = anchors.armA;
+    armB = anchors.armB;
+    reachA = length(armA);
+    reachB = length(armB);
+    error[0] = anchors.error.x;
+    error[1] = anchors.error.y;
+    arc = anchors.arc;
+    impulse[0] = soFar.x;
+    impulse[1] = soFar.y;
 }
 
-void HeldRows::add(const AxisConstraint& axis, Real soFar, std::size_t firstSlot) {
-    a[count] = {-axis.axis.x, -axis.axis.y, -axis.leverA};
-    b[count] = {axis.axis.x, axis.axis.y, axis.leverB};
-    error[count] = axis.error;
-    slot[count] = firstSlot;
-    impulse[count++] = soFar;
+void HeldRows::add(const AxisConstraint& axis, Real soFar, std::size_t slot) {
+    if (axis.axis == Vec2{}) {
+        angle = true;
+        angleAt = slot;
+        error[2] = axis.error;
+        impulse[2] = soFar;
+        return;
+    }
+    across = axis.axis;
+    acrossAt = slot;
+    error[0] = axis.error * across.x;
+    error[1] = axis.error * across.y;
+    impulse[0] = soFar * across.x;
+    impulse[1] = soFar * across.y;
 }
 
 HeldRows* ArticulatedTrees::rowsOf(std::uint32_t joint) {
@@ -147,16 +148,21 @@ void ArticulatedTrees::grow(const Bodies& bodies, std::span<const Edge> edges, s
                       .firstMember = members_.size(),
                       .members = reached_.size(),
                       .anchored = anchored});
-    bool& reusable = trees_.back().reusable;
     for (const std::uint32_t body : reached_) {
-        members_.emplace_back().body = body;
-        reusable = reusable && bodies.motion[body].invInertia > 0; // else levers are cleared
+        const BodyVelocity& motion = bodies.motion[body];
+        Member& member = members_.emplace_back();
+        member.body = body;
+        member.mass = 1 / motion.invMass;
+        member.moment = motion.invInertia > 0 ? 1 / motion.invInertia : Real(0);
     }
     for (const Link& link : links_) {
-        // the compliance of a joint that closes a loop depends on the pass
-        reusable = reusable && link.child != kNone;
         const Edge& held = edges[link.edge];
-        nodes_.push_back({held.joint, held.a, held.b, link.child, link.parent, link.childIsB});
+        nodes_.push_back({.joint = held.joint,
+                          .a = held.a,
+                          .b = held.b,
+                          .child = link.child,
+                          .parent = link.parent,
+                          .childIsB = link.childIsB});
     }
 }
 

@@ -4,6 +4,7 @@
 #include "joints/joint_rows.hpp"
 #include "math/symmetric3.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -25,48 +26,47 @@ struct JointPass {
     bool biased = false;  // false: relax pass
     bool exact = false;   // the joint belongs to a tree, see ArticulatedTrees
     int springPasses = 0; // further passes over springs with a lag, see Softness::spring()
+    bool settle = true;   // false: a tree may leave its relax pass to the next substep
     bool last = true;     // of a substep, if not biased: adds the impulses to the sums of the step
     ErrorRemoval errors = ErrorRemoval::ByVelocity;
 };
 
-/// Rigid constraints of one joint: up to three rows J = (a, b) on the velocities of its bodies,
-/// with the target J v = -rate error - arc.
+/// The rigid constraints of one joint, on the motion of b relative to a at anchor b: along x and y,
+/// and about the anchor.
 struct HeldRows {
-    std::size_t count = 0;
-    std::array<Triple, 3> a{};
-    std::array<Triple, 3> b{};
-    Triple error{};                    // m or rad
-    Triple arc{};                      // m/s, see PointConstraint
-    Triple impulse{};                  // N s or N m s, accumulated
-    std::array<std::size_t, 3> slot{}; // see JointSet::Joint::impulseAt
-    std::size_t point = kNoPoint;      // index of the first row of the anchors
-    Vec2 armA{};                       // m, from the centre of mass to the anchor
-    Vec2 armB{};
+    Vec2 armA{};      // m, from the centre of mass of a to anchor b
+    Vec2 armB{};      // m, likewise
+    Triple error{};   // m and rad
+    Vec2 arc{};       // m/s, see PointConstraint
+    Triple impulse{}; // N s and N m s, on b, accumulated
+    Vec2 across{};    // unit; of a slider: the direction that is held; else zero
+    bool point = false;
+    bool angle = false;       // the relative angle is held
+    std::size_t acrossAt = 0; // see JointSet::Joint::impulseAt
+    std::size_t angleAt = 0;
+    Real reachA = 0;    // m, length of armA
+    Real reachB = 0;    // m
     Real pull = 0;      // N, estimate of the force at the anchors
-    bool hinge = false; // two rows of a revolute joint and nothing else, see JointSet::Hinge
+    bool hinge = false; // a revolute joint and nothing else, see JointSet::Hinge
+    bool lazy = false;  // see ArticulatedTrees::Tree
 
-    static constexpr std::size_t kNoPoint = 3;
-    bool hasPoint() const { return point != kNoPoint; }
-
-    void add(const PointConstraint& anchors, Vec2 soFar, std::size_t firstSlot);
-    void add(const AxisConstraint& axis, Real soFar, std::size_t firstSlot);
+    void add(const PointConstraint& anchors, Vec2 soFar, std::size_t slot);
+    void add(const AxisConstraint& axis, Real soFar, std::size_t slot);
 };
 
-/// Direct solve of joints that connect bodies without a loop [Baraff96]. It is exact for any length
-/// of a chain and any mass ratio.
+/// Direct solve of joints that connect bodies without a loop, as articulated bodies
+/// [Featherstone08]. It is exact for any length of a chain and any mass ratio.
 ///
-/// The changes dv of the velocities and the impulses l satisfy
+/// Each joint eliminates its child, from the leaves to the root. With A and c as the inertia and
+/// the impulse of a child and its subtree at anchor b, e as the motion that the joint leaves free
+/// and w as the change of relative velocity that it wants:
 ///
-///   M dv = J^T l,   J (v + dv) = -b,   b = rate error + arc
+///   u = A e,  d = e . u,  A' = A - u u^T / d,  c' = c - u (e . c) / d
+///   A_p += A',  c_p += c' - A' w
 ///
-/// The linear system is as sparse as the tree. A joint connects a child to its parent. From the
-/// leaves to the root, each joint eliminates its child; A and c are M and 0 for a leaf:
+/// From the root back to the leaves, with t_p as the change of the parent at anchor b:
 ///
-///   S = J_c A_c^-1 J_c^T,   q = -(J v + b) - J_c A_c^-1 c_c
-///   A_p += J_p^T S^-1 J_p,  c_p += J_p^T S^-1 q
-///
-/// From the root back to the leaves: l = S^-1 q - S^-1 J_p dv_p, dv_c = A_c^-1 c_c + A_c^-1 J_c^T
-/// l. A is a sum of positive terms, so mass ratios of a million lose no digits.
+///   m = t_p + w,  t_c = m + e (e . c - u . m) / d,  impulse on the child = A' m - c'
 ///
 /// The system is solved again while its solution changes what it depends on: the arcs of the
 /// anchors, and the forces that bound inertia from below (see begin()).
@@ -98,6 +98,12 @@ public:
     /// The rows of a joint of a tree; nullptr for other joints.
     HeldRows* rowsOf(std::uint32_t joint);
 
+    /// Finds the lazy trees. The flag `hinge` of their rows must be set.
+    void findLazy(const Bodies& bodies);
+    bool allLazy() const {
+        return std::all_of(trees_.begin(), trees_.end(),
+                           [](const Tree& tree) { return tree.lazy; });
+    }
     /// Updates velocities and the impulses of all rows.
     void solve(Bodies& bodies, const JointPass& pass);
 
@@ -107,29 +113,38 @@ private:
     /// A body of a tree, with its subtree.
     struct Member {
         std::uint32_t body = kNone;
-        Symmetric3 inertia;                   // A
-        Symmetric3::Factors factors{inertia}; // of A, once the subtree is eliminated
-        Real pull = 0;                        // N m, sum of force times arm of its joints
-        Real ownInertia = 0;                  // kg m^2, with the lower bound of begin()
-        Real spin = 0;                        // rad/s, before the solve
-        Triple push{};                        // c
-        Triple change{};                      // dv
+        Real mass = 0;       // kg
+        Real moment = 0;     // kg m^2, of the body alone
+        Symmetric3 inertia;  // A, at the centre of mass
+        Real pull = 0;       // N m, sum of force times arm of its joints
+        Real ownInertia = 0; // kg m^2, with the lower bound of begin()
+        Real spin = 0;       // rad/s, before the solve
+        Triple push{};       // c, at the centre of mass
+        Triple change{};     // of the velocity
     };
     /// A joint of a tree. It has a child, a parent, or both; a missing one is an immovable body.
     struct Node {
-        std::uint32_t joint;
-        std::uint32_t a; // bodies
-        std::uint32_t b;
+        std::uint32_t joint = kNone;
+        std::uint32_t a = kNone; // bodies
+        std::uint32_t b = kNone;
         std::uint32_t child = kNone;  // index in members_
         std::uint32_t parent = kNone; // index in members_
         bool childIsB = true;
         HeldRows rows{};
-        Symmetric3::Factors factors{Symmetric3{}}; // of S
-        std::array<Triple, 3> answer{};            // rows of J_c A_c^-1
-        std::array<Triple, 3> columns{};           // of S^-1 J_p
-        Triple give{};                             // see giving()
-        Triple wanted{};                           // q
-        Triple impulse{};                          // l; from reduce() on, S^-1 q
+        Symmetric3 carried{}; // A'
+        Triple answer{};      // u
+        Real perAnswer = 0;   // 1 / d; 0 without a free motion
+        Real freely = 0;      // (e . c) / d
+        Triple base{};        // w without the arc
+        Triple wanted{};      // w
+        Triple load{};        // c'
+        Triple impulse{};     // on b
+
+        /// False if the joint fixes its bodies to each other.
+        bool movesFreely() const { return !rows.angle || rows.across != Vec2{}; }
+        Vec2 childArm() const { return childIsB ? rows.armB : rows.armA; }
+        Vec2 parentArm() const { return childIsB ? rows.armA : rows.armB; }
+        Triple freeAxis() const;
     };
     /// A range of nodes, from the root to the leaves, and of members.
     struct Tree {
@@ -137,11 +152,12 @@ private:
         std::size_t nodes;
         std::size_t firstMember;
         std::size_t members;
-        bool anchored;           // false: the first member has no parent joint
-        bool stiff = false;      // the lower bound of inertia is in effect, see begin()
-        bool factorized = false; // for the present positions and the true inertia
-        bool reusable = true;    // the factors of one pass may serve another
-        Real spin = 0;           // rad/s, see spinOf()
+        bool anchored; // false: the first member has no parent joint
+        /// Only hinges, and nothing is touched. The solve of a substep then removes what the relax
+        /// pass of the one before would have removed, at the same positions.
+        bool light = false;
+        bool lazy = false; // light, and the lower bound of inertia was not in effect, see begin()
+        Real spin = 0;     // rad/s, see spinOf()
     };
 
     /// An edge found during the search of a tree, with the fields of its future Node.
@@ -152,47 +168,38 @@ private:
         bool childIsB;
     };
 
-    /// What a tree needs after a solution.
-    enum class Next : std::uint8_t { Done, Solve, Factorize };
-
     void listEdges(const Bodies& bodies, std::span<const Edge> edges);
     void unlistEdges(std::span<const Edge> edges);
     void grow(const Bodies& bodies, std::span<const Edge> edges, std::uint32_t root);
     bool growFrom(const Bodies& bodies, std::span<const Edge> edges, std::size_t from);
     std::uint32_t join(std::uint32_t body);
     bool isDirect(const Bodies& bodies, std::span<const Edge> edges, bool anchored);
-    void solveBatch(Bodies& bodies, const JointPass& pass, std::span<Tree> trees);
-    Next nextOf(const Bodies& bodies, const Tree& tree, Real h);
-    void resetInertia(const Bodies& bodies, const Tree& tree);
+    void solveBatch(Bodies& bodies, const JointPass& pass);
     void factorizeTrees(const Bodies& bodies, const JointPass& pass, std::span<Tree* const> trees);
-    void solveLinear(const Bodies& bodies, const JointPass& pass, std::span<Tree* const> trees);
+    void solveLinear(std::span<Tree* const> trees);
     Real spinOf(const Bodies& bodies, const Tree& tree);
     void addPulls(const Tree& tree);
     bool raisePulls(const Tree& tree, Real h);
     bool updateArcs(const Bodies& bodies, const Tree& tree, Real h);
     void begin(const Bodies& bodies, const JointPass& pass, Tree& tree);
     void measure(const Bodies& bodies, const JointPass& pass, Node& node);
-    template <std::size_t N>
-    Symmetric3 carry(Node& node);
-    Triple giving(const Bodies& bodies, const Node& node, const JointPass& pass) const;
-    void factorize(const Bodies& bodies, Node& node, const JointPass& pass);
-    template <std::size_t N>
-    void addToParent(Node& node);
-    template <std::size_t N>
+    Symmetric3 closing(const Bodies& bodies, const Node& node, const JointPass& pass) const;
+    void eliminate(const Bodies& bodies, const JointPass& pass, Node& node);
     void reduce(Node& node);
-    template <std::size_t N>
     void backSubstitute(Node& node);
     template <typename Visit>
-    void fromLeaves(std::span<Tree* const> trees, Visit visit);
-    template <typename Visit>
-    void fromRoots(std::span<Tree* const> trees, Visit visit);
+    void forNodes(std::span<Tree* const> trees, bool fromLeaves, Visit visit);
     void apply(Bodies& bodies, const Tree& tree);
-    std::span<Node> nodesOf(const Tree& tree);
-    std::span<Member> membersOf(const Tree& tree);
+    std::span<Node> nodesOf(const Tree& tree) {
+        return std::span(nodes_).subspan(tree.firstNode, tree.nodes);
+    }
+    std::span<Member> membersOf(const Tree& tree) {
+        return std::span(members_).subspan(tree.firstMember, tree.members);
+    }
 
     std::vector<Node> nodes_;
+    std::vector<Tree*> batch_;    // solved side by side
     std::vector<Tree*> unsolved_; // scratch of solveBatch()
-    std::vector<Tree*> changed_;  // scratch of factorizeTrees()
     std::vector<Tree*> raised_;   // likewise: those to be factorized again
     std::vector<Member> members_;
     std::vector<Tree> trees_;

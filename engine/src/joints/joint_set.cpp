@@ -286,10 +286,18 @@ void JointSet::listHinges(const Bodies& bodies) {
             continue;
         }
         rows->hinge = true;
+        rows->reachA = length(revolute->ends.anchorA - bodies.geometry(edge.a).mass.center);
+        rows->reachB = length(revolute->ends.anchorB - bodies.geometry(edge.b).mass.center);
+        joints_[edge.joint].solved = true;
         hinges_.push_back({edge.joint, edge.a, edge.b,
                            revolute->ends.anchorA - bodies.geometry(edge.a).mass.center,
                            revolute->ends.anchorB - bodies.geometry(edge.b).mass.center, rows});
     }
+    trees_.findLazy(bodies);
+    std::erase_if(own_, [&](std::uint32_t index) {
+        const HeldRows* const rows = trees_.rowsOf(index);
+        return rows != nullptr && rows->hinge;
+    });
 }
 
 std::span<const std::uint32_t> JointSet::takeRevolutes(const Bodies& bodies) {
@@ -312,6 +320,9 @@ std::span<const std::uint32_t> JointSet::takeRevolutes(const Bodies& bodies) {
 void JointSet::scaleImpulses(Real by) {
     if (by == 1) {
         return;
+    }
+    for (const Hinge& hinge : hinges_) {
+        joints_[hinge.joint].point *= by;
     }
     for (const std::span<const std::uint32_t> list :
          {std::span<const std::uint32_t>(own_), std::span<const std::uint32_t>(takenRevolutes_)}) {

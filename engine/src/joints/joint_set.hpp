@@ -87,6 +87,10 @@ public:
     /// update of Bodies::awake; `changed`: that list has changed.
     void findBusy(const Bodies& bodies, bool changed);
     std::size_t busyCount() const { return busy_.size(); }
+    /// True if a pass changes no velocity: all joints belong to trees that leave it to the next.
+    bool leaves(const JointPass& pass) const {
+        return own_.empty() && !pass.biased && !pass.settle && trees_.allLazy();
+    }
 
     /// Bounds the speed at which a joint removes its error while its bodies touch or are near. A
     /// joint and a contact that exclude each other would store energy without end. `pushSpeed` (m/s
@@ -156,6 +160,9 @@ public:
     void forEachOwn(Visit visit) const {
         for (const std::uint32_t index : own_) {
             visit(joints_[index]);
+        }
+        for (const Hinge& hinge : hinges_) {
+            visit(joints_[hinge.joint]);
         }
     }
     void visitState(StateStream& stream, const Bodies& bodies, Real lengthUnit);

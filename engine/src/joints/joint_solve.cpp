@@ -193,14 +193,14 @@ private:
 
 void JointSet::warmStart(Bodies& bodies, const JointPass& pass) {
     lastPass_ = LastPass::WarmStart;
+    for (const Hinge& hinge : hinges_) {
+        // the direct solve starts from zero
+        hinge.rows->pull = length(std::exchange(joints_[hinge.joint].point, Vec2{})) / pass.h;
+    }
     for (const std::uint32_t index : own_) {
         HeldRows* const rows = trees_.rowsOf(index);
         if (rows != nullptr) {
             rows->pull = length(joints_[index].point) / pass.h;
-            if (rows->hinge) {
-                joints_[index].point = {}; // the direct solve starts from zero
-                continue;
-            }
         }
         WarmStart start(joints_[index], bodies, rows != nullptr);
         forConstraints(joints_[index], bodies, turned_,
@@ -246,11 +246,8 @@ void JointSet::solve(Bodies& bodies, const JointPass& pass) {
         Joint& joint = joints_[index];
         joint.solved = true;
         HeldRows* const rows = trees_.rowsOf(index);
-        if (rows != nullptr && rows->hinge) {
-            continue;
-        }
         if (rows != nullptr) {
-            *rows = {.pull = rows->pull};
+            *rows = {.armA = {}, .armB = {}, .pull = rows->pull};
         } else if (displaced && joint.point != Vec2{}) {
             std::visit(
                 [&](const auto& kind) {
@@ -269,6 +266,8 @@ void JointSet::solve(Bodies& bodies, const JointPass& pass) {
              .errors = pass.errors},
             [&](const JointFrame& frame, const auto& constraint, auto& impulse, Relax relax) {
                 if (rows != nullptr && relax == Relax::Rigid && isHeld(constraint)) {
+                    rows->armA = frame.commonArm();
+                    rows->armB = frame.armB;
                     rows->add(constraint, impulse, joint.slotOf(impulse));
                     return;
                 }
@@ -285,7 +284,6 @@ void JointSet::solve(Bodies& bodies, const JointPass& pass) {
         solveStiffSprings(bodies, pass);
     }
     inertias_.restore(bodies);
-    measureHinges(bodies, pass);
     solveTrees(bodies, pass);
 }
 
@@ -294,9 +292,6 @@ void JointSet::correct(Bodies& bodies, const JointPass& pass, int passes, Real a
     for (int k = 0; k < passes; ++k) {
         for (const std::uint32_t index : own_) {
             const HeldRows* const rows = trees_.rowsOf(index);
-            if (rows != nullptr && rows->hinge) {
-                continue;
-            }
             const Joint& joint = joints_[index];
             const Real most = joint.mostBias * pass.h / static_cast<Real>(passes);
             std::visit(
@@ -313,23 +308,27 @@ void JointSet::correct(Bodies& bodies, const JointPass& pass, int passes, Real a
 
 /// Updates the rows of the hinges of trees.
 void JointSet::measureHinges(Bodies& bodies, const JointPass& pass) {
-    constexpr Real kAll = std::numeric_limits<Real>::infinity();
+    const Real perH = 1 / pass.h;
     for (const Hinge& hinge : hinges_) {
-        JointFrame frame{bodies.motion[hinge.a],
-                         bodies.motion[hinge.b],
-                         {},
-                         {},
-                         {},
-                         turned_.rotation(bodies, hinge.a),
-                         turned_.rotation(bodies, hinge.b)};
-        frame.armA = frame.rotationA * hinge.anchorA;
-        frame.armB = frame.rotationB * hinge.anchorB;
-        frame.gap = (bodies.pose[hinge.b].position - bodies.pose[hinge.a].position) +
-                    (frame.b.deltaPosition - frame.a.deltaPosition) + (frame.armB - frame.armA);
-        hinge.rows->count = 0;
-        hinge.rows->add(pass.biased ? anchorsOf(frame, pass, kAll)
-                                    : PointConstraint{frame.commonArm(), frame.armB, {}, {}},
-                        joints_[hinge.joint].point, 0);
+        if (hinge.rows->lazy && !pass.biased && !pass.settle) {
+            continue;
+        }
+        HeldRows& rows = *hinge.rows;
+        const BodyVelocity& a = bodies.motion[hinge.a];
+        const BodyVelocity& b = bodies.motion[hinge.b];
+        const Vec2 armA = turned_.rotation(bodies, hinge.a) * hinge.anchorA;
+        rows.armB = turned_.rotation(bodies, hinge.b) * hinge.anchorB;
+        const Vec2 gap = (bodies.pose[hinge.b].position - bodies.pose[hinge.a].position) +
+                         (b.deltaPosition - a.deltaPosition) + (rows.armB - armA);
+        rows.armA = armA + gap; // see JointFrame::commonArm()
+        rows.arc = pass.biased ? perH * (fromTangentToArc(pass.h * b.angularVelocity, rows.armB) -
+                                         fromTangentToArc(pass.h * a.angularVelocity, rows.armA))
+                               : Vec2{};
+        const Vec2 turned = gap + pass.h * a.angularVelocity * perp(gap);
+        rows.error = {turned.x, turned.y, 0};
+        const Vec2 point = joints_[hinge.joint].point;
+        rows.impulse = {point.x, point.y, 0};
+        rows.point = true;
     }
 }
 
@@ -357,25 +356,35 @@ void JointSet::solveTrees(Bodies& bodies, const JointPass& pass) {
     if (trees_.empty()) {
         return;
     }
+    measureHinges(bodies, pass);
     trees_.solve(bodies, pass);
-    for (const ArticulatedTrees::Edge& edge : treeCandidates_) {
-        const HeldRows* const rows = trees_.rowsOf(edge.joint);
+    for (const Hinge& hinge : hinges_) {
+        Joint& joint = joints_[hinge.joint];
+        const Vec2 impulse{hinge.rows->impulse[0], hinge.rows->impulse[1]};
+        joint.linearImpulseSum += impulse - joint.point; // the substep begins at zero
+        joint.point = impulse;
+    }
+    for (const std::uint32_t index : own_) {
+        const HeldRows* const rows = trees_.rowsOf(index);
         if (rows == nullptr) {
             continue;
         }
-        Joint& joint = joints_[edge.joint];
-        for (std::size_t r = 0; r < rows->count; ++r) {
-            const Real impulse = rows->impulse[r];
-            const Vec2 along{rows->b[r][0], rows->b[r][1]};
-            joint.impulseAt(rows->slot[r]) = impulse;
-            if (pass.biased || !pass.last) {
-                continue;
-            }
-            if (along == Vec2{}) {
-                joint.angularImpulseSum += impulse * rows->b[r][2];
-            } else {
-                joint.linearImpulseSum += impulse * along;
-            }
+        Joint& joint = joints_[index];
+        const bool slider = rows->across != Vec2{};
+        Vec2 point{rows->impulse[0], rows->impulse[1]};
+        if (slider) {
+            const Real across = dot(rows->across, point);
+            joint.impulseAt(rows->acrossAt) = across;
+            point = across * rows->across;
+        } else {
+            joint.point = point;
+        }
+        if (rows->angle) {
+            joint.impulseAt(rows->angleAt) = rows->impulse[2];
+        }
+        if (!pass.biased && pass.last) {
+            joint.linearImpulseSum += point;
+            joint.angularImpulseSum += rows->angle ? rows->impulse[2] : 0;
         }
     }
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <kodo/real.hpp>
+#include <kodo/math.hpp>
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -25,53 +26,74 @@ struct Symmetric3 {
     Real zy = 0;
     Real zz = 1;
 
-    /// Factorization L D L^T with a unit diagonal of L. Where rounding has made a pivot
-    /// meaningless, as with very long arms, the solution along it is 0.
-    class Factors {
-    public:
-        explicit Factors(const Symmetric3& m) : perX_(inverseOf(m.xx, m.xx)) {
-            yx_ = perX_ * m.yx;
-            zx_ = perX_ * m.zx;
-            perY_ = inverseOf(m.yy - yx_ * m.yx, m.yy);
-            const Real below = m.zy - yx_ * m.zx;
-            zy_ = perY_ * below;
-            perZ_ = inverseOf(m.zz - zx_ * m.zx - zy_ * below, m.zz);
-        }
-        /// x with m x = v.
-        Triple solve(const Triple& v) const {
-            const Real y = v[1] - yx_ * v[0];
-            const Real z = v[2] - zx_ * v[0] - zy_ * y;
-            Triple x;
-            x[2] = perZ_ * z;
-            x[1] = perY_ * y - zy_ * x[2];
-            x[0] = perX_ * v[0] - yx_ * x[1] - zx_ * x[2];
-            return x;
-        }
+    Triple times(const Triple& v) const {
+        return {xx * v[0] + yx * v[1] + zx * v[2], yx * v[0] + yy * v[1] + zy * v[2],
+                zx * v[0] + zy * v[1] + zz * v[2]};
+    }
+    void add(const Symmetric3& m) {
+        xx += m.xx;
+        yx += m.yx;
+        yy += m.yy;
+        zx += m.zx;
+        zy += m.zy;
+        zz += m.zz;
+    }
+    /// Subtracts factor v v^T.
+    void subtract(const Triple& v, Real factor) {
+        const Triple u{factor * v[0], factor * v[1], factor * v[2]};
+        xx -= u[0] * v[0];
+        yx -= u[1] * v[0];
+        yy -= u[1] * v[1];
+        zx -= u[2] * v[0];
+        zy -= u[2] * v[1];
+        zz -= u[2] * v[2];
+    }
+    /// The inertia for the motion at a point that is `arm` (m) from the present one.
+    Symmetric3 seenFrom(Vec2 arm) const {
+        const Real x = zx + arm.y * xx - arm.x * yx;
+        const Real y = zy + arm.y * yx - arm.x * yy;
+        return {xx, yx, yy, x, y, zz + arm.y * (zx + x) - arm.x * (zy + y)};
+    }
 
-        /// The first N components of solve(v), for a matrix whose other rows are those of 1.
-        template <std::size_t N>
-        Triple solveFirst(const Triple& v) const {
-            if constexpr (N == 2) {
-                const Real x1 = perY_ * (v[1] - yx_ * v[0]);
-                return {perX_ * v[0] - yx_ * x1, x1, 0};
-            } else {
-                return solve(v);
-            }
-        }
+    /// The inertia that a hinge feels which is `arm` (m) from the present point: for the motion of
+    /// that point, while the rotation is free. With F, c and z as its blocks,
+    ///
+    ///   u = F^-1 c,  w = perp(arm) - u,  s = z - c . u
+    ///   F' = (s F + det F perp(w) perp(w)^T) / (s + w . F w)
+    ///
+    /// A sum of positive terms: it stays positive however unlike the terms of the inertia are.
+    Symmetric3 hinged(Vec2 arm) const {
+        constexpr Real kRounding = 8 * std::numeric_limits<Real>::epsilon();
+        const Real product = xx * yy;
+        const Real determinant = std::max(product - yx * yx, kRounding * product);
+        const Vec2 u = Vec2{yy * zx - yx * zy, xx * zy - yx * zx} / determinant;
+        const Real s = std::max(zz - (zx * u.x + zy * u.y), kRounding * zz);
+        const Vec2 w = perp(arm) - u;
+        const Real g = xx * w.x * w.x + yy * w.y * w.y + 2 * (yx * w.x * w.y);
+        const Real per = 1 / (s + g);
+        const Real share = per * s;
+        const Real rest = per * determinant;
+        return {share * xx + rest * w.y * w.y,
+                share * yx - rest * w.x * w.y,
+                share * yy + rest * w.x * w.x,
+                0,
+                0,
+                0};
+    }
 
-    private:
-        static Real inverseOf(Real pivot, Real diagonal) {
-            constexpr Real kRounding = 8 * std::numeric_limits<Real>::epsilon();
-            return pivot > kRounding * diagonal ? 1 / pivot : Real(0); // 0 also for NaN
-        }
-
-        Real perX_; // 1 / D
-        Real perY_ = 1;
-        Real perZ_ = 1;
-        Real yx_ = 0; // L
-        Real zx_ = 0;
-        Real zy_ = 0;
-    };
+    /// x with m x = v. Where rounding has made the determinant meaningless, as with very long arms,
+    /// x is small.
+    Triple solve(const Triple& v) const {
+        const Symmetric3 m = hinged({}); // once the rotation is eliminated
+        const Real x = v[0] - zx / zz * v[2];
+        const Real y = v[1] - zy / zz * v[2];
+        constexpr Real kRounding = 8 * std::numeric_limits<Real>::epsilon();
+        const Real product = m.xx * m.yy;
+        const Real per = 1 / std::max(product - m.yx * m.yx, kRounding * product);
+        const Real first = per * (m.yy * x - m.yx * y);
+        const Real second = per * (m.xx * y - m.yx * x);
+        return {first, second, (v[2] - zx * first - zy * second) / zz};
+    }
 };
 
 } // namespace KODO_PRECISION

@@ -150,7 +150,10 @@ void SoftSolver::runSubstep(Substeps& run, int substep, int substeps) {
     }
     const auto solveJoints = [&](bool biased) {
         jointPass.biased = biased;
-        passJoints(run, [&] { joints.solve(bodies, jointPass); });
+        jointPass.settle = substep + 1 == substeps;
+        if (!joints.leaves(jointPass)) {
+            passJoints(run, [&] { joints.solve(bodies, jointPass); });
+        }
         revolutes_.solve(bodies, jointPass);
     };
     solveJoints(true);
