@@ -2,7 +2,7 @@
 #include <kodo/convex_shape.hpp>
 
 #include "bodies/body_geometry.hpp"
-#include "collide/line_frame.hpp"
+#include "collide/chain_line.hpp"
 
 #include <algorithm>
 #include <vector>

@@ -4,7 +4,7 @@
 #include <support/minkowski_oracle.hpp>
 #include <support/near.hpp>
 
-#include "collide/jointed_line.hpp"
+#include "collide/chain_line.hpp"
 #include "collide/one_sided.hpp"
 #include "collide/time_of_impact.hpp"
 

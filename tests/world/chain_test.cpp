@@ -73,7 +73,7 @@ TEST(Chain, FlushPiecesAreNotFelt) {
     while (points.back().x < 20) {
         points.push_back(points.back() + Vec2{random.between(0.05, 1.5), 0});
     }
-    for (const Kind kind : {Kind::OneSided, Kind::Closed, Kind::Segments}) {
+    for (const Kind kind : kKinds) {
         for (const Rider& rider : riders()) {
             for (const int rate : {30, 60, 240}) {
                 for (const support::Solver solver : support::kSolvers) {
@@ -171,6 +171,17 @@ TEST(Chain, BendsGiveNoEnergyAndLetNothingPass) {
             }
         }
     }
+}
+
+// An outline that crosses itself has no outside. A two-sided loop needs none.
+TEST(Chain, WithCrossingEdgesIsRefusedIfItHasAnOutside) {
+    Chain chain{.points = {{0, 0}, {2, 0}, {0, 2}, {1, -1}}, .closed = true, .oneSided = true};
+    const auto problem = check(Shape(chain));
+    ASSERT_TRUE(problem);
+    EXPECT_EQ(problem->text(), "points[2]: begins an edge that crosses or touches the one from "
+                               "points[0]: a one-sided outline must not meet itself");
+    chain.oneSided = false;
+    EXPECT_FALSE(check(Shape(chain)));
 }
 
 TEST(Chain, HasAMaterialPerSegment) {

@@ -22,6 +22,14 @@ inline namespace KODO_PRECISION {
 /// check() would refuse as flat. The first corner is the leftmost one; ties go to the lowest.
 KODO_API std::variant<Polygon, Problem> convexHull(std::span<const Vec2> points);
 
+/// The area within a closed outline (m), as convex polygons of one body. A clockwise outline is
+/// turned around; points on one line are left out. At most kMaxCorners points. Ears are cut off
+/// [Meisters75], then pieces joined [Hertel83].
+///
+/// The reason why not: edges that cross or touch, as those of a hole that is joined to the outline
+/// by a cut would. Ground that only blocks has fewer parts as a Chain.
+KODO_API std::variant<Compound, Problem> decompose(std::span<const Vec2> outline);
+
 /// Box of the smallest area around points (m) in any order, or the reason why they have no hull.
 ///
 /// One side of the box contains an edge of the hull [Freeman75], so each edge is tried. The cost

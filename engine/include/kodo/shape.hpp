@@ -123,7 +123,7 @@ struct BasicChain {
     std::vector<BasicVec2<T>> points{}; // m, 2 to kMaxParts + 1; closed: 3 to kMaxParts
     bool closed = false;                // the last point is joined to the first one
     /// Of an open chain, the front is the left side as seen along the points. Of a closed one it is
-    /// the outside, in whichever direction the points go; its edges must not cross or touch.
+    /// the outside, in whichever direction the points go; edges that cross or touch are refused.
     bool oneSided = false;
     /// Of each segment; empty: that of the body. Segment i begins at point i.
     std::vector<Material> materials{};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bodies/line_links.hpp"
 
-#include "collide/line_frame.hpp"
+#include "collide/chain_line.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "collide/one_sided.hpp"
 
+#include "collide/chain_line.hpp"
 #include "collide/faces.hpp"
-#include "collide/line_frame.hpp"
 #include "collide/round.hpp"
 #include "collide/sat.hpp"
 
@@ -256,28 +256,20 @@ bool ownsDirection(const ConvexShape& line, std::size_t end, Vec2 direction) {
            cross(direction, perp(line.before)) >= 0;
 }
 
-Real distanceToHilltop(const ConvexShape& line, const PointOverLine& point) {
-    const Vec2 along = alongOf(line);
-    const std::size_t end = endTowards(line, point.displacement);
-    if (dot(along, point.displacement) == 0 || isFree(line, end) || turnAt(line, end) >= -kFlush) {
-        return std::numeric_limits<Real>::infinity();
-    }
-    const Real distance = dot(along, line.vertices[end] - point.position);
-    return std::max(end == 0 ? -distance : distance, Real(0));
-}
-
 bool missesLine(const ConvexShape& line, const PointOverLine& point, Real tolerance) {
-    const Real distance = distanceToHilltop(line, point);
-    if (!(distance < std::numeric_limits<Real>::infinity())) {
+    const Real passed = std::abs(dot(alongOf(line), point.displacement));
+    const std::size_t end = endTowards(line, point.displacement);
+    if (passed == 0 || isFree(line, end) || turnAt(line, end) >= -kFlush) {
         return false;
     }
-    const std::size_t end = endTowards(line, point.displacement);
     const Vec2 next = perp(end == 0 ? line.before : line.after);
-    const Real passed = std::abs(dot(alongOf(line), point.displacement));
+    const Real way = dot(alongOf(line), line.vertices[end] - point.position);
+    const Real distance = end == 0 ? -way : way;
     const Real sink = -dot(line.normals[1], point.displacement);
     // It reaches the hilltop after distance / passed steps.
-    return 2 * sink > -turnAt(line, end) * passed && dot(next, point.displacement) > -tolerance &&
-           point.gap > -tolerance && (point.gap + tolerance) * passed > sink * distance;
+    return distance > tolerance && 2 * sink > -turnAt(line, end) * passed &&
+           dot(next, point.displacement) > -tolerance && point.gap > -tolerance &&
+           (point.gap + tolerance) * passed > sink * distance;
 }
 
 Manifold collideOneSided(const ConvexShape& line, const Transform& a, const ConvexShape& other,

@@ -54,13 +54,10 @@ struct PointOverLine {
     Real gap;          // m, over the line
 };
 
-/// Distance (m) along a one-sided line from a point to the hilltop that it moves to; infinite if it
-/// moves to none.
-Real distanceToHilltop(const ConvexShape& line, const PointOverLine& point);
-
 /// True if a point moves along the line beyond a hilltop rather than along this one, and is less
 /// than `tolerance` (m) deep until it has passed the hilltop. It would touch only the straight
-/// extension of the line. False if it comes nearer to the next line by more than that in a step.
+/// extension of the line. False if it comes nearer to the next line by more than that in a step,
+/// and for a point at the hilltop, where a face of the shape may lie.
 bool missesLine(const ConvexShape& line, const PointOverLine& point, Real tolerance);
 
 /// State of a contact with a one-sided line. A shape that comes from behind stays free until it no

@@ -3,6 +3,7 @@
 
 #include <kodo/geometry.hpp>
 
+#include "collide/chain_line.hpp"
 #include "collide/one_sided.hpp"
 #include "collide/round.hpp"
 #include "collide/sat.hpp"
@@ -180,22 +181,36 @@ Real impactOnOneSided(Mover line, Mover other, Real target) {
     return first;
 }
 
+/// A linked two-sided line as that side of its chain on which the other shape starts: what slides
+/// over a vertex does not touch the end of the next line. None for other shapes, and for a line
+/// with a free end, which is met from all sides.
+std::optional<ConvexShape> sideTowards(Mover line, Mover other) {
+    if (!line.shape.isLine() || line.shape.oneSided || isFree(line.shape, 0) ||
+        isFree(line.shape, 1) || other.shape.isPlane()) {
+        return std::nullopt;
+    }
+    const Vec2 middle = between(line.sweep.start, other.sweep.start) * other.shape.middle;
+    const bool behind = heightOverJoints(line.shape, middle, 0) < 0;
+    return facingTo(line.shape, line.shape.normals[behind ? 0 : 1]);
+}
+
 /// Height (m) of a point of another body over a line, along a normal in the line's frame.
 Real heightOver(Vec2 normal, const ConvexShape& line, const Transform& a, Vec2 point,
                 const Transform& b) {
     return dot(normal, between(a, b) * point - line.vertices[0]);
 }
 
-/// Fraction of the step after which a point of another body, which starts higher than `slop` (m)
-/// over a line, has come down to slop / 4 between the ends of the line; kNever if it does not.
+/// Fraction of the step after which a point of another body has come down to slop / 4 (m) over a
+/// line, between its ends; to -slop if it starts lower than `slop`; kNever if it does not.
 Real timeOfPoint(Mover line, Vec2 normal, Mover other, Vec2 point, Real slop) {
     const auto above = [&](const Transform& a, const Transform& b) {
         return Separation{a.rotation * normal, heightOver(normal, line.shape, a, point, b)};
     };
-    if (above(line.sweep.start, other.sweep.start).distance <= slop) {
+    const Real start = above(line.sweep.start, other.sweep.start).distance;
+    if (start <= -slop) {
         return kNever;
     }
-    const Real t = advanceAlong(line, other, slop / 4, above);
+    const Real t = advanceAlong(line, other, start > slop ? slop / 4 : -slop, above);
     if (t > 1) {
         return kNever;
     }
@@ -224,6 +239,12 @@ Real timeOfImpact(const ConvexShape& shapeA, const MotionPath& a, const ConvexSh
     if (!discsMeet(moverA, moverB, target, from)) {
         return kNever;
     }
+    if (const auto side = sideTowards(moverA, moverB)) {
+        return timeOfImpact(*side, a, shapeB, b, target, from);
+    }
+    if (const auto side = sideTowards(moverB, moverA)) {
+        return timeOfImpact(shapeA, a, *side, b, target, from);
+    }
     if (shapeA.oneSided && !shapeB.isPlane()) {
         return impactOnOneSided(moverA, moverB, target);
     }
@@ -239,7 +260,7 @@ Real timeOfImpact(const ConvexShape& shapeA, const MotionPath& a, const ConvexSh
 Real timeBehind(const ConvexShape& line, const MotionPath& a, const ConvexShape& other,
                 const MotionPath& b, Real slop) {
     const Vec2 normal = line.normals[1];
-    if (heightOver(normal, line, a.start, other.middle, b.start) < 0) {
+    if (heightOverJoints(line, between(a.start, b.start) * other.middle, slop) < -slop) {
         return kNever;
     }
     const Mover ground{line, a};

@@ -121,7 +121,7 @@ public:
     void forgetUnsound(const Bodies& bodies, const Tolerances& tolerances, Real dt);
     /// Determines begin, persist and end of each contact. Contacts whose state does not change are
     /// not visited.
-    void finishStepOfContacts(const Tolerances& tolerances, WorkerTeam& team);
+    void finishStepOfContacts(const Bodies& bodies, const Tolerances& tolerances, WorkerTeam& team);
     void finishStep(bool wantRecords) { records_.finish(wantRecords); }
 
     /// Records of the last step. Reading them does not change the contacts.

@@ -64,15 +64,16 @@ void ContactRow::visitState(StateStream& stream) {
 }
 
 void StoredContact::visitState(StateStream& stream) {
-    static_assert(countMembers<Contact>() == 16, "list a new member, or leave it out");
+    static_assert(countMembers<Contact>() == 17, "list a new member, or leave it out");
     // Left out: the phase is part of the records, separations are in the manifold, the others
     // follow from the bodies.
     auto& [separation, approachSpeed, relativeDisplacement, impulse, friction, rolling, total,
            sliding] = numbers;
     stream(key, centerA, manifold, teleportCounts, relativeDisplacement, impulse, row, friction,
            rolling, approachSpeed, total);
-    stream(near, filled, sliding, passing, hidden, touching, wasTouching);
+    stream(near, filled, sliding, passing, side, hidden, touching, wasTouching);
     if (stream.reads()) {
+        require(side >= -1 && side <= 1, "the side of a contact is unknown");
         require(manifold.count >= 0 && manifold.count <= 2, "a contact has more than two points");
         require(isBounded(*this), "a number of a contact is too large, or not a number");
         separation = separationsOf(manifold);

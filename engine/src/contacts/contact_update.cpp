@@ -4,7 +4,6 @@
 #include <kodo/geometry.hpp>
 
 #include "collide/one_sided.hpp"
-#include "contacts/hilltops.hpp"
 #include "contacts/line_side.hpp"
 
 #include <algorithm>
@@ -100,7 +99,7 @@ void replaceManifold(Contact& contact, const ContactLane& lane, const Manifold& 
 // impact impulses that act on two parallel lines would form a couple and rotate both bodies.
 constexpr Real kKept = 8;
 // Likewise for two shapes thinner than the slop: a point that was beyond the margin must be found
-// before it has passed to the other side.
+// before it has passed to the other side. And for lines: a point must not pass their ends.
 constexpr Real kKeptToBounce = Real(1) / 8;
 constexpr Real kKeptIfThin = 1;
 
@@ -114,12 +113,6 @@ void addDisplacement(const Bodies& bodies, const Contact& contact, const Contact
     lane.relativeDisplacement() += std::abs(between.x) + std::abs(between.y) +
                                    std::abs(motionA.deltaAngle) * bodies.extent[a].rotationReach +
                                    std::abs(motionB.deltaAngle) * bodies.extent[b].rotationReach;
-}
-
-/// False if a body was teleported: the relative displacement is then meaningless.
-bool isKnown(const Bodies& bodies, const Contact& contact) {
-    return contact.teleportCounts[0] == bodies.teleportCount[contact.key.bodyA] &&
-           contact.teleportCounts[1] == bodies.teleportCount[contact.key.bodyB];
 }
 
 /// True if two separated parts have not moved far enough to be within the margin.
@@ -215,45 +208,11 @@ Real reachOf(const Bodies& bodies, const ContactKey& key, Real dt) {
            length(bodies.motion[key.bodyB].velocity - bodies.motion[key.bodyA].velocity);
 }
 
-/// A two-sided line has no thickness: a shape that overlaps it by a fraction of the slop may be
-/// pushed off to the wrong side. So a contact with such a line keeps its side while the overlap is
-/// below the margin. Does nothing unless the new normal is on the other side than the old one.
-void keepSide(Manifold& manifold, const Contact& contact, const Bodies& bodies,
-              const ContactLimits& limits) {
-    const ContactKey& key = contact.key;
-    const Manifold& old = contact.manifold;
-    if (manifold.count == 0 || old.count == 0 || !(dot(manifold.normal, old.normal) < 0) ||
-        !isKnown(bodies, contact)) {
-        return;
-    }
-    const ConvexShape& shapeA = bodies.convex(key.bodyA, key.partA);
-    const ConvexShape& shapeB = bodies.convex(key.bodyB, key.partB);
-    const Transform& a = bodies.pose[key.bodyA];
-    const Transform& b = bodies.pose[key.bodyB];
-    for (const bool isA : {true, false}) {
-        const ConvexShape& line = isA ? shapeA : shapeB;
-        const ConvexShape& other = isA ? shapeB : shapeA;
-        const Vec2 side = unrotate((isA ? a : b).rotation, isA ? old.normal : -old.normal);
-        if (!line.isLine() || line.oneSided || other.isPlane() || other.oneSided ||
-            std::abs(dot(side, line.normals[1])) < Real(0.99)) {
-            continue;
-        }
-        const ConvexShape facing = facingTo(line, side);
-        Manifold kept = isA ? collideAhead(facing, a, shapeB, b, limits)
-                            : collideAhead(shapeA, a, facing, b, limits);
-        kept.fromBehind = false;
-        if (kept.count > 0 && kept.points[0].separation > -limits.margin) {
-            manifold = kept;
-            return;
-        }
-    }
-}
-
 } // namespace
 
 void findContact(Contact& contact, const ContactLane& lane, const Bodies& bodies,
                  const Tolerances& tolerances, Real dt) {
-    lane.updateSeparations(contact.manifold); // the side of a line follows from them
+    lane.updateSeparations(contact.manifold); // how deep the side of a line is kept
     const ContactKey& key = contact.key;
     // m; keeps the reference face of parallel faces constant despite rounding.
     const Real preference = tolerances.slop / 8;
@@ -265,11 +224,11 @@ void findContact(Contact& contact, const ContactLane& lane, const Bodies& bodies
     if (line && spread == Vec2{}) {
         const JointedSide side = jointedSideOf(bodies, contact, *line, tolerances.margin);
         manifold = collideOnSide(bodies, key, *line, side, limits);
+        contact.side = static_cast<std::int8_t>(side.side);
     } else {
         manifold = collideAhead(bodies.convex(key.bodyA, key.partA), bodies.pose[key.bodyA],
                                 bodies.convex(key.bodyB, key.partB),
                                 {poseB.position + spread, poseB.rotation}, limits);
-        keepSide(manifold, contact, bodies, limits);
     }
     if (spread != Vec2{}) {
         for (ManifoldPoint& point : manifold.points) {
@@ -281,12 +240,13 @@ void findContact(Contact& contact, const ContactLane& lane, const Bodies& bodies
     contact.passing = letPass(contact.passing, manifold);
     const auto [thinner, thicker] = std::minmax(bodies.convex(key.bodyA, key.partA).coreRadius,
                                                 bodies.convex(key.bodyB, key.partB).coreRadius);
-    const Real free = removePassingPoints(manifold, contact, bodies, tolerances, dt);
+    removePassingPoints(manifold, contact, bodies, tolerances, dt);
     replaceManifold(contact, lane, manifold,
                     std::min(kSamePlace * tolerances.slop, kSameShare * thinner));
-    const bool thin = thicker < tolerances.slop;
-    const Real kept = (thin ? kKeptIfThin : kKept) * tolerances.slop;
-    lane.relativeDisplacement() = kKept * tolerances.slop - std::min(kept, free);
+    const bool ofLine = bodies.convex(key.bodyA, key.partA).isLine() ||
+                        bodies.convex(key.bodyB, key.partB).isLine();
+    lane.relativeDisplacement() =
+        thicker < tolerances.slop || ofLine ? (kKept - kKeptIfThin) * tolerances.slop : 0;
     contact.teleportCounts[0] = bodies.teleportCount[key.bodyA];
     contact.teleportCounts[1] = bodies.teleportCount[key.bodyB];
 }
@@ -311,6 +271,11 @@ void describeContact(Contact& contact, const Bodies& bodies) {
     contact.material =
         mix(bodies.parts[bodyA][partA].material, bodies.parts[bodyB][partB].material);
     contact.bounces = contact.material.restitution > 0;
+}
+
+bool isKnown(const Bodies& bodies, const Contact& contact) {
+    return contact.teleportCounts[0] == bodies.teleportCount[contact.key.bodyA] &&
+           contact.teleportCounts[1] == bodies.teleportCount[contact.key.bodyB];
 }
 
 bool isOutdated(Real relativeDisplacement, bool bounces, const Tolerances& tolerances) {

@@ -22,12 +22,23 @@ void completeContact(Contact& contact, const Bodies& bodies);
 bool followContact(Contact& contact, const ContactLane& lane, const Bodies& bodies,
                    const Tolerances& tolerances, bool inPasses);
 
+/// False if a body was teleported: the relative displacement is then meaningless.
+bool isKnown(const Bodies& bodies, const Contact& contact);
+
 /// True if a manifold must be found again after this relative displacement (m) of the bodies.
 bool isOutdated(Real relativeDisplacement, bool bounces, const Tolerances& tolerances);
 
 /// Finds the manifold for a step of dt (s); new points take over the impulses of old ones.
 void findContact(Contact& contact, const ContactLane& lane, const Bodies& bodies,
                  const Tolerances& tolerances, Real dt);
+
+/// Removes the points of a manifold that move over a hilltop of a one-sided or jointed line before
+/// they touch it, in a step of dt (s). With them, the straight extension of the line would lift a
+/// shape whose last corner leaves a ramp. All points of sensors and round shapes are kept: the
+/// next contact of a disc is the vertex. Likewise those of two parts thinner than the slop: without
+/// its contact, such a part could pass the next line within the step.
+void removePassingPoints(Manifold& manifold, const Contact& contact, const Bodies& bodies,
+                         const Tolerances& tolerances, Real dt);
 
 /// Sets the approach speed (m/s) from the current velocities, for the record and the impacts.
 void measureApproach(const Contact& contact, const ContactLane& lane, const Bodies& bodies);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "contacts/ghost_collisions.hpp"
 
-#include "collide/jointed_line.hpp"
-#include "collide/one_sided.hpp"
 #include "collide/rising_face.hpp"
 #include "contacts/contact_update.hpp"
 
@@ -35,24 +33,11 @@ Ground groundOf(const Bodies& bodies, const Contact& contact) {
             contact.key.partA};
 }
 
-bool shareVertex(const ConvexShape& a, const ConvexShape& b) {
-    return a.vertices[0] == b.vertices[0] || a.vertices[0] == b.vertices[1] ||
-           a.vertices[1] == b.vertices[0] || a.vertices[1] == b.vertices[1];
-}
-
-/// True for two lines of a body that store their neighbours: they cause no ghost collisions. Lines
-/// of a fine valley rise by less than the tolerance, but must not be hidden. Lines that meet at a
-/// vertex without being linked there may cause one.
+/// True for two lines of a body, which follow their links instead. Lines of a fine valley rise by
+/// less than the tolerance, but must not be hidden.
 bool areChain(const Bodies& bodies, const Ground& carrying, const Ground& ground) {
-    const ConvexShape& a = bodies.convex(carrying.body, carrying.part);
-    const ConvexShape& b = bodies.convex(ground.body, ground.part);
-    if (carrying.body != ground.body) {
-        return false;
-    }
-    if (!isJointed(a) || !isJointed(b)) {
-        return (a.oneSided || isJointed(a)) && (b.oneSided || isJointed(b));
-    }
-    return !shareVertex(a, b) || directionBetween(a, b) != 0;
+    return carrying.body == ground.body && bodies.convex(carrying.body, carrying.part).isLine() &&
+           bodies.convex(ground.body, ground.part).isLine();
 }
 
 /// True if no point of the shape is more than `tolerance` (m) above the surface through `point`.

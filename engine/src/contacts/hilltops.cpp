@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "contacts/hilltops.hpp"
-
-#include "collide/jointed_line.hpp"
+#include "collide/chain_line.hpp"
 #include "collide/one_sided.hpp"
+#include "contacts/contact_update.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace kodo {
@@ -24,7 +22,7 @@ constexpr Real kTolerance = Real(0.125);
 /// another feature gives the normal.
 std::optional<ConvexShape> lineWithNormal(const ConvexShape& shape, const Rot& rotation,
                                           Vec2 normal) {
-    if (!shape.isLine() || !(shape.oneSided || isJointed(shape))) {
+    if (!shape.isLine() || !(shape.oneSided || isLinked(shape))) {
         return std::nullopt;
     }
     constexpr Real kSame = Real(0.9999); // cosine
@@ -45,29 +43,17 @@ PointOverLine pointOver(const ManifoldPoint& point, const Bodies& bodies, const 
             unrotate(rotation, lineIsA ? moved : -moved), point.separation};
 }
 
-/// True if a point is a corner of the other shape. Else it is a vertex of the line, on which a face
-/// of that shape lies.
-bool isCorner(const ConvexShape& other, const Rot& rotation, const ManifoldPoint& point,
-              bool otherIsB, Real tolerance) {
-    const Vec2 place = unrotate(rotation, otherIsB ? point.armB : point.armA);
-    // The point is between both surfaces.
-    const Real reach = std::abs(point.separation) / 2 + tolerance + other.radius;
-    return std::any_of(other.vertices.begin(), other.vertices.end(),
-                       [&](Vec2 vertex) { return lengthSquared(place - vertex) < reach * reach; });
-}
-
 } // namespace
 
-Real removePassingPoints(Manifold& manifold, const Contact& contact, const Bodies& bodies,
+void removePassingPoints(Manifold& manifold, const Contact& contact, const Bodies& bodies,
                          const Tolerances& tolerances, Real dt) {
     const ContactKey& key = contact.key;
     const ConvexShape& shapeA = bodies.convex(key.bodyA, key.partA);
     const ConvexShape& shapeB = bodies.convex(key.bodyB, key.partB);
     const Real slop = tolerances.slop;
-    Real nearest = std::numeric_limits<Real>::infinity();
     if (contact.sensor || shapeA.isRound() || shapeB.isRound() ||
         std::max(shapeA.coreRadius, shapeB.coreRadius) < slop) {
-        return nearest;
+        return;
     }
     for (const bool isA : {true, false}) {
         if (manifold.count == 0) {
@@ -83,19 +69,12 @@ Real removePassingPoints(Manifold& manifold, const Contact& contact, const Bodie
         for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i) {
             const PointOverLine point = pointOver(manifold.points[i], bodies, key, isA, dt);
             const Real moved = length(point.displacement);
-            const Real tolerance = kTolerance * slop;
-            const bool corner =
-                isCorner(isA ? shapeB : shapeA, bodies.pose[isA ? key.bodyB : key.bodyA].rotation,
-                         manifold.points[i], isA, tolerance);
-            if (!corner || moved < kLeastMoved * slop || !missesLine(*line, point, tolerance)) {
-                const Real distance = distanceToHilltop(*line, point) - moved;
-                nearest = std::min(nearest, std::max(distance, Real(0)));
+            if (moved < kLeastMoved * slop || !missesLine(*line, point, kTolerance * slop)) {
                 manifold.points[kept++] = manifold.points[i];
             }
         }
         manifold.count = static_cast<int>(kept);
     }
-    return nearest;
 }
 
 } // namespace KODO_PRECISION

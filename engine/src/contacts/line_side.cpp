@@ -2,67 +2,20 @@
 #include "contacts/line_side.hpp"
 
 #include "base/vector_reuse.hpp"
-#include "collide/jointed_line.hpp"
+#include "collide/chain_line.hpp"
 #include "collide/round.hpp"
 #include "contacts/contact_update.hpp"
-#include "contacts/hilltops.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <limits>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
 
-constexpr Real kDeeper = 2;         // times the depth of the last step, up to which a side is kept
-constexpr Real kAcross = Real(0.1); // a side is clear from this cosine to the line's normal on
-
-/// Normal by which the sides of a line differ at a point of it: near a vertex between that of the
-/// line and that of its neighbour, since contacts there may have either.
-Vec2 normalAt(const ConvexShape& line, Vec2 p, Real margin) {
-    for (const std::size_t end : {std::size_t(0), std::size_t(1)}) {
-        const Vec2 next = end == 0 ? line.before : line.after;
-        if (next != Vec2{} && lengthSquared(p - line.vertices[end]) < margin * margin) {
-            const Vec2 sum = line.normals[1] + perp(next);
-            const Real size = length(sum);
-            return size > kAcross ? sum / size : line.normals[1];
-        }
-    }
-    return line.normals[1];
-}
-
-/// The side of the manifold of the last step; 0: none.
-Real storedSide(const Bodies& bodies, const Contact& contact, const JointedLine& line,
-                Real margin) {
-    const Manifold& manifold = contact.manifold;
-    const ContactKey& key = contact.key;
-    if ((manifold.count == 0 && !(manifold.points[0].separation > 0)) ||
-        contact.teleportCounts[0] != bodies.teleportCount[key.bodyA] ||
-        contact.teleportCounts[1] != bodies.teleportCount[key.bodyB]) {
-        return 0;
-    }
-    const ConvexShape& shape = bodies.convex(line.body, line.part);
-    const Rot& rotation = bodies.pose[line.body].rotation;
-    const ManifoldPoint& point = manifold.points[0];
-    const Vec2 across =
-        manifold.count == 0
-            ? shape.normals[1]
-            : normalAt(shape, unrotate(rotation, line.isA ? point.armA : point.armB), margin);
-    const Real cosine = dot(line.isA ? manifold.normal : -manifold.normal, rotation * across);
-    return std::abs(cosine) < kAcross ? Real(0) : std::copysign(Real(1), cosine);
-}
-
-/// The point of a shape that is closest to p; p itself if it is inside.
-Vec2 nearestPoint(const ConvexShape& shape, Vec2 p) {
-    if (shape.isRound()) {
-        const Vec2 arm = p - shape.vertices[0];
-        const Real distance = length(arm);
-        return distance > shape.radius ? shape.vertices[0] + shape.radius / distance * arm : p;
-    }
-    const RoundAxis axis = nearestToCenter(shape, p);
-    return axis.distance > 0 ? p - axis.distance * axis.normal : p;
-}
+constexpr Real kThin = 64;  // largest reach of a thin shape, in core radii
+constexpr Real kDeeper = 2; // times the depth of the last step, up to which a side is kept
 
 /// Heights (m) up to this one on the wrong side are those of a soft contact.
 Real sinkOf(const Bodies& bodies, const JointedLine& line, Real margin) {
@@ -75,12 +28,12 @@ Real heightOf(const Bodies& bodies, const JointedLine& line, Real margin) {
     const Transform otherToLine = between(bodies.pose[line.body], bodies.pose[line.otherBody]);
     const ConvexShape& other = bodies.convex(line.otherBody, line.otherPart);
     const ConvexShape& own = bodies.convex(line.body, line.part);
-    const Vec2 middle = otherToLine * other.middle;
-    const Vec2 near =
-        otherToLine *
-        nearestPoint(other,
-                     between(bodies.pose[line.otherBody], bodies.pose[line.body]) * own.middle);
-    return heightOverJoints(own, withinJoints(own, middle, near), sinkOf(bodies, line, margin));
+    const Vec2 ownMiddle =
+        between(bodies.pose[line.otherBody], bodies.pose[line.body]) * own.middle;
+    const RoundAxis axis = nearestToCenter(other, ownMiddle);
+    const Vec2 near = ownMiddle - std::max(axis.distance, Real(0)) * axis.normal;
+    return heightOverJoints(own, withinJoints(own, otherToLine * other.middle, otherToLine * near),
+                            sinkOf(bodies, line, margin));
 }
 
 /// Depth (m) up to which the middle of a shape stays on its side: the margin, or what a contact
@@ -94,22 +47,20 @@ bool isBehind(Real height, Real side, Real sink) {
     return side * height < -sink;
 }
 
-/// Replaces the manifold of a near contact, without impulses of the old one.
-void replace(const HidingStep& step, std::uint32_t slot, const Manifold& manifold) {
-    const ContactLane lane = step.store.lane(slot);
-    lane.clearStep();
-    lane.clearImpulses();
-    step.replace(slot, manifold);
-}
-
 } // namespace
 
 std::optional<JointedLine> findJointedLine(const Bodies& bodies, const ContactKey& key) {
     const ConvexShape& a = bodies.convex(key.bodyA, key.partA);
     const ConvexShape& b = bodies.convex(key.bodyB, key.partB);
-    const bool isA = isJointed(a);
+    const auto hasSides = [&](const ConvexShape& line, std::uint32_t body,
+                              const ConvexShape& other) {
+        const bool isThin = kThin * other.coreRadius <= other.boundingRadius;
+        const bool isGround = isThin && (line.oneSided ? isLinked(line) : bodies.locked(body));
+        return line.isLine() && (isGround || (!line.oneSided && isLinked(line)));
+    };
+    const bool isA = hasSides(a, key.bodyA, b);
     const ConvexShape& other = isA ? b : a;
-    if (isA == isJointed(b) || other.isPlane() || other.oneSided) {
+    if (isA == hasSides(b, key.bodyB, a) || other.isPlane() || other.oneSided) {
         return std::nullopt;
     }
     return isA ? JointedLine{true, key.bodyA, key.partA, key.bodyB, key.partB}
@@ -118,7 +69,7 @@ std::optional<JointedLine> findJointedLine(const Bodies& bodies, const ContactKe
 
 JointedSide jointedSideOf(const Bodies& bodies, const Contact& contact, const JointedLine& line,
                           Real margin) {
-    const Real last = storedSide(bodies, contact, line, margin);
+    const Real last = isKnown(bodies, contact) ? contact.side : Real(0);
     const Real sink = last == 0 ? margin : deepestSink(contact.manifold, margin);
     const Real height = heightOf(bodies, line, sink);
     if (last != 0 && !isBehind(height, last, sinkOf(bodies, line, sink))) {
@@ -134,105 +85,89 @@ Manifold collideOnSide(const Bodies& bodies, const ContactKey& key, const Jointe
     const Transform& a = bodies.pose[key.bodyA];
     const Transform& b = bodies.pose[key.bodyB];
     const ConvexShape& shape = line.isA ? shapeA : shapeB;
-    const Vec2 front = side.side * shape.normals[1];
-    const ConvexShape facing = facingTo(shape, front);
+    if (shape.oneSided && side.side < 0) {
+        Manifold passing;
+        passing.fromBehind = true;
+        return passing;
+    }
+    const ConvexShape facing = facingTo(shape, side.side * shape.normals[1]);
     ContactLimits deep = limits; // the side is known, also below the line
     deep.sink = side.sink;
-    Manifold manifold = line.isA ? collideAhead(facing, a, shapeB, b, deep)
-                                 : collideAhead(shapeA, a, facing, b, deep);
-    if (manifold.fromBehind) { // beyond a free end, which blocks on all sides
-        return collideAhead(shapeA, a, shapeB, b, limits);
-    }
-    if (manifold.count == 0) {
-        const Vec2 normal = bodies.pose[line.body].rotation * front;
-        manifold.normal = line.isA ? normal : -normal;
-        Real& gap = manifold.points[0].separation; // > 0: the normal gives the side
-        gap = std::max(gap, limits.margin);
-    }
-    return manifold;
+    const Manifold manifold = line.isA ? collideAhead(facing, a, shapeB, b, deep)
+                                       : collideAhead(shapeA, a, facing, b, deep);
+    // Behind: beyond a free end, which blocks on all sides.
+    return manifold.fromBehind && !shape.oneSided ? collideAhead(shapeA, a, shapeB, b, limits)
+                                                  : manifold;
 }
 
-void LineSides::link(const Bodies& bodies, std::span<const Contact> contacts,
-                     std::span<const ContactSummary> summaries) {
-    groups_.clear();
-    for (std::uint32_t slot = 0; slot < summaries.size(); ++slot) {
-        const ContactSummary& summary = summaries[slot];
-        const auto mayBeJointed = [&](std::uint32_t body) {
-            return !(bodies.extent[body].coreRadius > 0) && bodies.geometry(body).parts.size() > 1;
-        };
-        if (summary.gone || !(mayBeJointed(summary.bodyA) || mayBeJointed(summary.bodyB))) {
-            continue;
-        }
-        if (const auto line = jointedLineOf(bodies, contacts[slot].key)) {
-            reserveReusing(groups_, summaries.size());
-            groups_.push_back({*line, slot});
-        }
+void LineSides::link(const Spread& step) {
+    slots_.clear();
+    if (step.bodies.thinnest > 0) { // lines are thin
+        return;
     }
-    const auto order = [](const Member& m) {
-        return std::tuple(m.line.body, m.line.otherBody, m.line.otherPart, m.line.part);
-    };
-    std::sort(groups_.begin(), groups_.end(), // total order: keys of contacts are unique
-              [&](const Member& m, const Member& n) { return order(m) < order(n); });
+    reserveReusing(slots_, step.store.size());
+    step.store.forEachInOrder([&](std::uint32_t slot) {
+        if (jointedLineOf(step.bodies, step.store.contacts()[slot].key)) {
+            slots_.push_back(slot);
+        }
+    });
 }
 
-/// `from` touched in the last step, `to` did not.
-void LineSides::copySide(const HidingStep& step, const Member& from, const Member& to) const {
+/// The side that a contact takes over from another one, if their lines are linked; 0: none.
+Real LineSides::sideFrom(const Spread& step, const Contact& carrier, const JointedLine& to) {
     const Bodies& bodies = step.bodies;
-    const Contact& carrier = step.contact(from.slot);
-    Contact& contact = step.store.contacts()[to.slot];
-    const ConvexShape& line = bodies.convex(from.line.body, from.line.part);
-    const ConvexShape& next = bodies.convex(to.line.body, to.line.part);
-    const Real margin = step.tolerances.margin;
-    const Real side = directionBetween(line, next) * storedSide(bodies, carrier, from.line, margin);
-    const Real sink = deepestSink(carrier.manifold, margin);
-    if (side == 0 || storedSide(bodies, contact, to.line, margin) == side ||
-        isBehind(heightOf(bodies, to.line, sink), side, sinkOf(bodies, to.line, sink))) {
-        return;
+    const auto from = carrier.side != 0 && !carrier.passing && isKnown(bodies, carrier)
+                          ? jointedLineOf(bodies, carrier.key)
+                          : std::nullopt;
+    if (!from || from->body != to.body || from->otherPart != to.otherPart) {
+        return 0;
     }
-    if (contact.near) {
-        Manifold manifold = collideOnSide(bodies, contact.key, to.line, {side, sink},
-                                          {margin, step.tolerances.slop / 8, Real(0)});
-        removePassingPoints(manifold, contact, bodies, step.tolerances, step.dt);
-        replace(step, to.slot, manifold);
-        return;
+    const Real side = carrier.side * directionBetween(bodies.convex(from->body, from->part),
+                                                      bodies.convex(to.body, to.part));
+    const Real sink = deepestSink(carrier.manifold, step.margin);
+    return isBehind(heightOf(bodies, to, sink), side, sinkOf(bodies, to, sink)) ? 0 : side;
+}
+
+/// True if the contact takes over another side.
+bool LineSides::takeSide(const Spread& step, std::uint32_t slot) {
+    const auto& [bodies, store, margin] = step;
+    Contact& contact = store.contacts()[slot];
+    const JointedLine line = *jointedLineOf(bodies, contact.key);
+    const bool known = isKnown(bodies, contact);
+    Real side = 0; // a sum does not depend on the order of the contacts
+    store.lists().forEach(line.otherBody, [&](std::uint32_t other) {
+        const Contact& carrier = store.contacts()[other];
+        if (carrier.wasTouching || !known || contact.side == 0) {
+            side += sideFrom(step, carrier, line);
+        }
+    });
+    const bool behind =
+        isBehind(heightOf(bodies, line, margin), contact.side, sinkOf(bodies, line, margin));
+    if (side == 0 && known && !behind) {
+        return false;
     }
-    // for continuous collision
-    const Vec2 normal = bodies.pose[to.line.body].rotation * (side * next.normals[1]);
-    contact.manifold.normal = to.line.isA ? normal : -normal;
-    contact.manifold.points[0].separation = margin;
-    step.store.lane(to.slot).separation(0) = margin;
+    const auto sign = static_cast<std::int8_t>((side > 0 ? 1 : 0) - (side < 0 ? 1 : 0));
+    if (known && sign == contact.side) {
+        return false;
+    }
+    store.change(slot, bodies).side = sign;
     contact.teleportCounts = {bodies.teleportCount[contact.key.bodyA],
                               bodies.teleportCount[contact.key.bodyB]};
+    contact.filled = false; // its manifold is found again
+    store.lane(slot).relativeDisplacement() = std::numeric_limits<Real>::max();
+    return sign != 0;
 }
 
-void LineSides::spread(const HidingStep& step) const {
-    const auto sameGroup = [](const Member& m, const Member& n) {
-        return m.line.body == n.line.body && m.line.otherBody == n.line.otherBody &&
-               m.line.otherPart == n.line.otherPart;
-    };
-    for (auto first = groups_.begin(); first != groups_.end();) {
-        const auto end = std::find_if(first, groups_.end(),
-                                      [&](const Member& m) { return !sameGroup(m, *first); });
-        for (auto to = first; to != end; ++to) {
-            // Its separations, which give the side, are brought up to date.
-            Contact& contact = step.store.change(to->slot, step.bodies);
-            if (!contact.near && contact.manifold.count == 0) {
-                contact.manifold.points[0].separation = 0; // no side is stored any more
-                step.store.lane(to->slot).separation(0) = 0;
-            }
+void LineSides::spread(const Spread& step, bool changed) {
+    if (changed) {
+        link(step);
+    }
+    bool again = !slots_.empty();
+    for (std::size_t round = 0; again && round < slots_.size(); ++round) {
+        again = false;
+        for (const std::uint32_t slot : slots_) {
+            again |= !step.store.contacts()[slot].wasTouching && takeSide(step, slot);
         }
-        for (auto from = first; from != end; ++from) {
-            if (!step.contact(from->slot).wasTouching) {
-                continue;
-            }
-            for (auto to = first; to != end; ++to) {
-                const Contact& contact = step.contact(to->slot);
-                if (to != from && !contact.wasTouching) {
-                    copySide(step, *from, *to);
-                }
-            }
-        }
-        first = end;
     }
 }
 

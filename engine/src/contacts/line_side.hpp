@@ -3,7 +3,7 @@
 
 #include "bodies/bodies.hpp"
 #include "collide/one_sided.hpp"
-#include "contacts/hiding_step.hpp"
+#include "contacts/contact_store.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -15,9 +15,9 @@
 namespace kodo {
 inline namespace KODO_PRECISION {
 
-/// A contact of a two-sided line that shares a vertex with another one of its body. Contacts are
-/// soft, so a thin shape lies a little below such a line. Its place alone does not give the side
-/// then, least of all at the vertex. So the contact stores the side, as its normal.
+/// A contact of a two-sided line, of a chain or of locked ground. Contacts are soft, so a thin
+/// shape lies a little below such a line. Its place alone does not give the side then, least of all
+/// at a vertex. So the contact stores the side.
 struct JointedLine {
     bool isA = false; // the line is the part of body a
     std::uint32_t body = 0;
@@ -26,11 +26,13 @@ struct JointedLine {
     std::uint16_t otherPart = 0;
 };
 
-/// The jointed line of a pair; none if both parts are lines of this kind, or the other part has a
-/// front of its own.
+/// The line of this kind of a pair; none if both parts are such lines, or the other part has a
+/// front of its own. A lone line has sides only for shapes without thickness.
 std::optional<JointedLine> findJointedLine(const Bodies& bodies, const ContactKey& key);
 inline std::optional<JointedLine> jointedLineOf(const Bodies& bodies, const ContactKey& key) {
-    return bodies.thinnest > 0 ? std::nullopt : findJointedLine(bodies, key); // lines are thin
+    const bool mayBeLine =
+        !(bodies.extent[key.bodyA].coreRadius > 0) || !(bodies.extent[key.bodyB].coreRadius > 0);
+    return mayBeLine ? findJointedLine(bodies, key) : std::nullopt;
 }
 
 /// Side of a line on which the other shape is.
@@ -44,7 +46,7 @@ struct JointedSide {
 JointedSide jointedSideOf(const Bodies& bodies, const Contact& contact, const JointedLine& line,
                           Real margin);
 
-/// The manifold on that side. Without a contact point, its normal still gives the side.
+/// The manifold on that side.
 Manifold collideOnSide(const Bodies& bodies, const ContactKey& key, const JointedLine& line,
                        JointedSide side, const ContactLimits& limits);
 
@@ -52,21 +54,21 @@ Manifold collideOnSide(const Bodies& bodies, const ContactKey& key, const Jointe
 /// on the side on which it touched the last one.
 class LineSides {
 public:
-    /// Must be called after contacts were added, removed or moved.
-    void link(const Bodies& bodies, std::span<const Contact> contacts,
-              std::span<const ContactSummary> summaries);
-    bool empty() const { return groups_.empty(); }
-    /// Finds the manifolds of this step again that are on the wrong side.
-    void spread(const HidingStep& step) const;
+    struct Spread {
+        const Bodies& bodies;
+        ContactStore& store;
+        Real margin; // m
+    };
+    /// At the end of a step, when it is known what touches, and for new contacts. `changed`:
+    /// contacts were added, removed or moved since the last step.
+    void spread(const Spread& step, bool changed);
 
 private:
-    struct Member {
-        JointedLine line;
-        std::uint32_t slot = 0;
-    };
-    void copySide(const HidingStep& step, const Member& from, const Member& to) const;
+    void link(const Spread& step);
+    static Real sideFrom(const Spread& step, const Contact& carrier, const JointedLine& to);
+    static bool takeSide(const Spread& step, std::uint32_t slot);
 
-    std::vector<Member> groups_; // in order; a group has the same other part and body of lines
+    std::vector<std::uint32_t> slots_; // of the contacts that have a side, in the order of keys
 };
 
 } // namespace KODO_PRECISION

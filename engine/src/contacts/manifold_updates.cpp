@@ -182,7 +182,8 @@ void ContactSet::manifoldChanged(std::uint32_t slot) {
     fastestApproach_ = std::max(fastestApproach_, store_.approachSpeed(slot));
 }
 
-void ContactSet::finishStepOfContacts(const Tolerances& tolerances, WorkerTeam& team) {
+void ContactSet::finishStepOfContacts(const Bodies& bodies, const Tolerances& tolerances,
+                                      WorkerTeam& team) {
     const std::uint8_t* const touchedOf = lanes().touched().data();
     const auto touches = [=](const ContactSummary& summary) {
         return summary.inPasses() && touchedOf[summary.row.index] != 0;
@@ -210,6 +211,7 @@ void ContactSet::finishStepOfContacts(const Tolerances& tolerances, WorkerTeam& 
             });
         });
     touchCounts_.addChanges(all, toggled);
+    lineSides_.spread({bodies, store_, tolerances.margin}, contactsChanged_);
 }
 
 void ContactSet::updateManifolds(Bodies& bodies, const Tolerances& tolerances, Real dt,
@@ -223,6 +225,9 @@ void ContactSet::updateManifolds(Bodies& bodies, const Tolerances& tolerances, R
     lanes().advance(bodies, team);
     if (store_.size() == 0 && !contactsChanged_) {
         return;
+    }
+    if (contactsChanged_) {
+        lineSides_.spread({bodies, store_, tolerances.margin}, contactsChanged_);
     }
     const ManifoldPass pass{store_, store_.lanes(), candidates_.bounds(), bodies, tolerances, dt};
     live_.clear();
@@ -243,10 +248,6 @@ void ContactSet::updateManifolds(Bodies& bodies, const Tolerances& tolerances, R
         ghostCollisions_.link(bodies, summaries(), onGround_);
         const bool anyLines = !(bodies.thinnest > 0); // points and lines have no core radius
         oneWayBodies_.link(bodies, contacts(), anyLines ? summaries() : Summaries());
-        lineSides_.link(bodies, contacts(), anyLines ? summaries() : Summaries());
-    }
-    if (!lineSides_.empty()) {
-        lineSides_.spread({bodies, store_, tolerances, dt});
     }
     if (!oneWayBodies_.empty()) {
         oneWayBodies_.hide({bodies, store_, tolerances, dt});

@@ -72,6 +72,7 @@ struct alignas(64) Contact {
     bool bounces = false;  // restitution > 0
     bool sensor = false;   // without response
     bool passing = false;  // through a one-sided line from behind; see letPass
+    std::int8_t side = 0;  // of a chain: 1 in front of it, -1 behind; 0: unknown; see LineSides
     bool hidden = false;   // ghost collision of this step; see GhostCollisions
     bool touching = false; // at the last finishStepOfContacts; false once not near; of sensors: in
                            // this step

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <kodo/geometry.hpp>
 
+#include "shapes/outline.hpp"
+
 #include <algorithm>
 #include <string>
 
@@ -21,29 +23,6 @@ void addHalf(Iterator first, Iterator last, std::vector<Vec2>& hull) {
         hull.push_back(*p);
     }
     hull.pop_back();
-}
-
-/// Uses twice the flatness that check() refuses, so that rounding there cannot decide otherwise.
-/// The point of a needle is not flat: without it, that point would lie far outside.
-bool isFlat(Vec2 before, Vec2 corner, Vec2 after) {
-    if (dot(corner - before, after - corner) < 0) {
-        return false;
-    }
-    const Real size = std::max(length(corner - before), length(after - corner));
-    const Real height = cross(corner - before, after - corner);
-    return !(height > 2 * kFlatness * size * std::max(size, length(after - before)));
-}
-
-void dropFlatCorners(std::vector<Vec2>& hull) {
-    for (std::size_t i = 0; hull.size() >= 3 && i < hull.size();) {
-        const std::size_t n = hull.size();
-        if (isFlat(hull[(i + n - 1) % n], hull[i], hull[(i + 1) % n])) {
-            hull.erase(hull.begin() + static_cast<std::ptrdiff_t>(i));
-            i = i > 0 ? i - 1 : 0; // the previous corner has a new neighbour
-        } else {
-            ++i;
-        }
-    }
 }
 
 } // namespace

@@ -60,12 +60,6 @@ std::optional<Problem> check(const Box& box) {
     return checkPoint("center", box.center);
 }
 
-/// True if the segments from a to b and from c to d cross inside both.
-bool crossEachOther(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-    const auto side = [](Vec2 p, Vec2 q, Vec2 r) { return cross(q - p, r - p); };
-    return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
-}
-
 std::optional<Problem> checkDistinct(const std::vector<Vec2>& corners) {
     for (std::size_t k = 1; k < corners.size(); ++k) {
         for (std::size_t i = 0; i < k; ++i) {
@@ -78,26 +72,14 @@ std::optional<Problem> checkDistinct(const std::vector<Vec2>& corners) {
     return std::nullopt;
 }
 
-std::optional<Problem> checkCrossings(const std::vector<Vec2>& corners) {
-    const std::size_t n = corners.size();
-    for (std::size_t k = 2; k < n; ++k) {
-        for (std::size_t i = 0; i + 1 < k; ++i) {
-            if (crossEachOther(corners[i], corners[i + 1], corners[k], corners[(k + 1) % n])) {
-                return Problem{corner(k), "begins an edge that crosses the edge from corner " +
-                                              std::to_string(i) + " to corner " +
-                                              std::to_string(i + 1) +
-                                              ": convexHull() gives an outline around all corners"};
-            }
-        }
-    }
-    return std::nullopt;
-}
-
 /// Corner k is not left of the edge from corner i: names the reason.
 Problem whyNotConvex(const std::vector<Vec2>& corners, std::size_t i, std::size_t k) {
     const std::size_t n = corners.size();
-    if (auto problem = checkCrossings(corners)) {
-        return *problem;
+    if (const auto pair = n > 3 ? edgesThatMeet(corners) : std::nullopt) {
+        return {corner(pair->second), "begins an edge that crosses the edge from corner " +
+                                          std::to_string(pair->first) + " to corner " +
+                                          std::to_string((pair->first + 1) % n) +
+                                          ": convexHull() gives an outline around all corners"};
     }
     const auto turnAt = [&](std::size_t at) { // > 0 to the left
         const Vec2 before = corners[(at + n - 1) % n];
@@ -269,6 +251,12 @@ std::optional<Problem> check(const Chain& chain) {
                                    "materials[" + std::to_string(i) + "]");
             return problem;
         }
+    }
+    const bool hasOutside = chain.closed && chain.oneSided;
+    if (const auto pair = hasOutside ? edgesThatMeet(chain.points) : std::nullopt) {
+        return Problem{nameOf(pair->second),
+                       "begins an edge that crosses or touches the one from " +
+                           nameOf(pair->first) + ": a one-sided outline must not meet itself"};
     }
     return std::nullopt;
 }

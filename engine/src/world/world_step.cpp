@@ -261,7 +261,7 @@ void WorldStep::breakJoints() {
 
 /// Updates the contact phases and kColliding. Only bodies whose flag changes are visited.
 void WorldStep::recordCollisions() {
-    contacts_.finishStepOfContacts(tolerances_, team_);
+    contacts_.finishStepOfContacts(bodies_, tolerances_, team_);
     for (const std::uint32_t body : contacts_.touchCounts().changes()) {
         Flags& flags = bodies_.filter[body].flags;
         flags = contacts_.touchCounts().isTouched(body) ? flags | kColliding : flags & ~kColliding;

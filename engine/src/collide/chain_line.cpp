@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "collide/jointed_line.hpp"
-
-#include "collide/line_frame.hpp"
+#include "collide/chain_line.hpp"
 
 #include <algorithm>
 
