@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Install rules of the engine. Components: kodo-dev (headers, static libraries, CMake and pkg-config
-# files), kodo-runtime (shared libraries), kodo-c and kodo-c-dev (see c/), kodo-sfml-dev (see sfml/),
-# apart (see game/).
+# files), kodo-runtime (shared libraries), kodo-c and kodo-c-dev (see c/), kodo-python (see python/),
+# kodo-sfml-dev (see sfml/), apart (see game/).
 include(CMakePackageConfigHelpers)
 
 # kodo_install_pkg_config(NAME DESCRIPTION text LIBRARY name [REQUIRES list] [CFLAGS flag]
@@ -68,10 +68,10 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE COMPONENT kodo-dev
 install(FILES CHANGELOG.md README.md COMPONENT kodo-dev DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/kodo)
 # The pages, their pictures and the examples lie beside each other as in the sources, so that links
 # between them hold.
-install(DIRECTORY docs examples c COMPONENT kodo-dev
+install(DIRECTORY docs examples c python COMPONENT kodo-dev
     DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/kodo
-    FILES_MATCHING PATTERN *.md PATTERN *.svg PATTERN *.cpp PATTERN *.c PATTERN *.txt
-    PATTERN CMakeLists.txt EXCLUDE PATTERN kodo_c EXCLUDE)
+    FILES_MATCHING PATTERN *.md PATTERN *.svg PATTERN *.cpp PATTERN *.c PATTERN *.py PATTERN *.txt
+    PATTERN CMakeLists.txt EXCLUDE PATTERN kodo_c EXCLUDE PATTERN python/kodo EXCLUDE)
 if(KODO_C)
     set(kodo_c_documents ${CMAKE_INSTALL_DATADIR}/doc/kodo-c)
     install(TARGETS ${kodo_c_libraries} EXPORT kodo-c-targets
@@ -90,6 +90,10 @@ if(KODO_C)
     install(FILES ${PROJECT_SOURCE_DIR}/LICENSE COMPONENT kodo-c DESTINATION ${kodo_c_documents})
     install(FILES ${PROJECT_SOURCE_DIR}/LICENSE COMPONENT kodo-c-dev
         DESTINATION ${kodo_c_documents}-dev)
+    install(DIRECTORY python/kodo DESTINATION lib/python3/dist-packages COMPONENT kodo-python
+        FILES_MATCHING PATTERN *.py PATTERN py.typed)
+    install(FILES ${PROJECT_SOURCE_DIR}/LICENSE COMPONENT kodo-python
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/kodo-python)
 endif()
 if(BUILD_SHARED_LIBS)
     install(FILES ${PROJECT_SOURCE_DIR}/LICENSE COMPONENT kodo-runtime

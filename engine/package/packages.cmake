@@ -73,6 +73,8 @@ if(TARGET kodo_c)
     kodo_package(kodo-c ${package} libs DEPENDS ${runtime} SHLIBDEPS)
     kodo_package(kodo-c-dev libkodo-c-dev libdevel
         DEPENDS "${package} (= ${PROJECT_VERSION}), libkodo-dev (= ${PROJECT_VERSION})")
+    kodo_package(kodo-python python3-kodo python
+        DEPENDS "${package} (= ${PROJECT_VERSION}), python3 (>= 3.9)")
 endif()
 if(TARGET kodo_sfml)
     kodo_package(kodo-sfml-dev libkodo-sfml-dev libdevel
@@ -112,6 +114,11 @@ cpack_add_component(kodo-c-dev GROUP engine DEPENDS kodo-c
     DISPLAY_NAME "Kodo, C interface, files for development"
     DESCRIPTION "2D rigid-body engine, files for development in C
 The header kodo.h, and the files for CMake and pkg-config.")
+cpack_add_component(kodo-python GROUP engine DEPENDS kodo-c
+    DISPLAY_NAME "Kodo, Python module"
+    DESCRIPTION "2D rigid-body engine, module for Python
+Rigid bodies, joints, force fields and continuous collision for games and for
+the training of agents, by ctypes on the C interface.")
 cpack_add_component(kodo-sfml-dev GROUP engine DEPENDS kodo-dev
     DISPLAY_NAME "Kodo with SFML, files for development"
     DESCRIPTION "2D rigid-body engine, drawing with SFML, files for development

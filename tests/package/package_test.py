@@ -176,6 +176,16 @@ def check_c(prefix, path):
         check_drop(program, precision, LD_LIBRARY_PATH=str(prefix / "lib"))
 
 
+def check_python(prefix):
+    """The installed module finds the installed library, and runs an example."""
+    path = {"PYTHONPATH": str(prefix / "lib/python3/dist-packages"), "KODO_LIBRARY": ""}
+    printed = run(sys.executable, "-B", "-c", "import kodo; print(kodo.__version__)", **path)
+    check(printed.strip() == given.version, f"the module kodo is version {printed}")
+    example = prefix / "share/doc/kodo/python/examples/hello.py"
+    wanted = (prefix / "share/doc/kodo/examples/hello.txt").read_text(encoding="utf-8")
+    check(run(sys.executable, "-B", example, **path) == wanted, "hello.py prints something else")
+
+
 def check_old_standard(include):
     """A user of C++17 reads what to do, in the first error."""
     source = CONSUMER / "drop.cpp"
@@ -293,7 +303,8 @@ def check_unsafe(prefix):
 def install_moved(build, name):
     """The prefix of an installed engine that was moved, and whether it has kodo::sfml."""
     sfml = (build / "engine/sfml").is_dir()
-    parts = ("kodo-dev", "kodo-runtime", "kodo-c", "kodo-c-dev", *["kodo-sfml-dev"] * sfml)
+    parts = ("kodo-dev", "kodo-runtime", "kodo-c", "kodo-c-dev", "kodo-python",
+             *["kodo-sfml-dev"] * sfml)
     for component in parts:
         run("cmake", "--install", build, "--prefix", work / "before", "--component", component)
     return (work / "before").rename(work / name), sfml
@@ -312,6 +323,7 @@ def install():
     check_old_standard(prefix / "include")
     check_unknown_component(prefix)
     check_documents(prefix)
+    check_python(prefix)
     check_double_is_optional()
 
 

@@ -25,13 +25,9 @@ static_assert(kShapeKinds == KODO_CAPSULE + 1);
 
 kodo::Compound compoundFromC(const kodo_Compound& compound) {
     kodo::Compound made;
-    const auto parts = itemsOf(compound.parts, compound.partCount, "shape.compound.parts");
-    if (parts.size() <= kodo::kMaxParts) { // else the engine refuses the number
-        for (const kodo_Shape& part : parts) {
-            made.parts.push_back(primitiveFromC(part, "shape.compound.parts"));
-        }
-    } else {
-        made.parts.resize(parts.size());
+    for (const kodo_Shape& part :
+         itemsOf(compound.parts, compound.partCount, "shape.compound.parts")) {
+        made.parts.push_back(primitiveFromC(part, "shape.compound.parts"));
     }
     return made;
 }

@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: MIT
+"""Kodo, a 2D rigid-body engine.
+
+Units are SI: metres, kilograms, seconds, radians. x points to the right, y up; angles are
+counter-clockwise. The same calls give the same bits on every machine, and as in C and C++.
+
+    import kodo
+
+    world = kodo.World(gravity=(0, -10))
+    world.add(kodo.Box(20, 1), type=kodo.BodyType.STATIC)
+    ball = world.add(kodo.Circle(0.5), position=(0, 10))
+    for _ in range(120):
+        world.step(1 / 60)
+    print(ball.position)
+"""
+from ._library import REAL_CODE, REAL_SIZE, library as _library
+from .body import Body
+from .errors import (BadBodyId, BadDefinition, BadSnapshot, KodoError, NoMemory, OtherError,
+                     WrongUse)
+from .fields import Attractor, Buoyancy, Drag, FieldBody, FieldForce, Gravity, OwnField, Wind
+from .joints import (BrokenJoint, DistanceJoint, FixedJoint, MotorJoint, MouseJoint,
+                     PrismaticJoint, RevoluteJoint)
+from .records import CollisionRecord, QueryHit, QueryPoint, RecordPoint, StepStats
+from .settings import (Feature, PropagationSettings, Settings, SoftSettings, accurate, balanced,
+                       fast, thesis2006)
+from .shapes import (Box, Capsule, Chain, Circle, Compound, Heightmap, MassDef, Part, Plane, Point,
+                     Polygon, Segment)
+from .values import (BodyId, BodyType, Filter, Flags, JointId, Material, Phase, Transform,
+                     with_friction)
+from .world import ThreadPool, World
+from .worlds import Worlds
+
+_number = _library.kodo_version()
+#: Version of the library.
+__version__ = f"{_number // 10000}.{_number // 100 % 100}.{_number % 100}"
+
+__all__ = [
+    "Attractor",
+    "BadBodyId",
+    "BadDefinition",
+    "BadSnapshot",
+    "Body",
+    "BodyId",
+    "BodyType",
+    "Box",
+    "BrokenJoint",
+    "Buoyancy",
+    "Capsule",
+    "Chain",
+    "Circle",
+    "CollisionRecord",
+    "Compound",
+    "DistanceJoint",
+    "Drag",
+    "Feature",
+    "FieldBody",
+    "FieldForce",
+    "Filter",
+    "FixedJoint",
+    "Flags",
+    "Gravity",
+    "Heightmap",
+    "JointId",
+    "KodoError",
+    "MassDef",
+    "Material",
+    "MotorJoint",
+    "MouseJoint",
+    "NoMemory",
+    "OtherError",
+    "OwnField",
+    "Part",
+    "Phase",
+    "Plane",
+    "Point",
+    "Polygon",
+    "PrismaticJoint",
+    "PropagationSettings",
+    "QueryHit",
+    "QueryPoint",
+    "REAL_CODE",
+    "REAL_SIZE",
+    "RecordPoint",
+    "RevoluteJoint",
+    "Segment",
+    "Settings",
+    "SoftSettings",
+    "StepStats",
+    "ThreadPool",
+    "Transform",
+    "Wind",
+    "World",
+    "Worlds",
+    "WrongUse",
+    "accurate",
+    "balanced",
+    "fast",
+    "thesis2006",
+    "with_friction",
+]

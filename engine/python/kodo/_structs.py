@@ -1,0 +1,521 @@
+# SPDX-License-Identifier: MIT
+"""The structs of kodo.h. tests/python compares their sizes and offsets with the list of the ABI."""
+from __future__ import annotations
+
+import ctypes
+from ctypes import POINTER, c_bool, c_int32, c_size_t, c_uint8, c_uint16, c_uint32, c_uint64
+from ctypes import c_void_p
+from typing import Type, TypeVar
+
+from ._library import REAL_SIZE, Real, call
+
+VERSION = 1  # KODO_C_VERSION
+
+
+class Head(ctypes.Structure):
+    _fields_ = [("size", c_size_t), ("version", c_uint32), ("realSize", c_uint32)]
+
+
+def head_of(struct: Type[ctypes.Structure]) -> Head:
+    return Head(ctypes.sizeof(struct), VERSION, REAL_SIZE)
+
+
+class Vec2(ctypes.Structure):
+    _fields_ = [("x", Real), ("y", Real)]
+
+
+class Rot(ctypes.Structure):
+    _fields_ = [("c", Real), ("s", Real)]
+
+
+class Transform(ctypes.Structure):
+    _fields_ = [("position", Vec2), ("rotation", Rot)]
+
+
+class Aabb(ctypes.Structure):
+    _fields_ = [("lower", Vec2), ("upper", Vec2)]
+
+
+class Range(ctypes.Structure):
+    _fields_ = [("lower", Real), ("upper", Real)]
+
+
+class BodyId(ctypes.Structure):
+    _fields_ = [("index", c_uint32), ("generation", c_uint32), ("world", c_uint32)]
+
+
+class JointId(ctypes.Structure):
+    _fields_ = [("index", c_uint32), ("generation", c_uint32), ("world", c_uint32)]
+
+
+class Filter(ctypes.Structure):
+    _fields_ = [("flags", c_uint32), ("required", c_uint16)]
+
+
+class Material(ctypes.Structure):
+    _fields_ = [
+        ("staticFriction", Real),
+        ("kineticFriction", Real),
+        ("restitution", Real),
+        ("rollingResistance", Real),
+    ]
+
+
+class Circle(ctypes.Structure):
+    _fields_ = [("radius", Real), ("center", Vec2)]
+
+
+class Box(ctypes.Structure):
+    _fields_ = [
+        ("width", Real),
+        ("height", Real),
+        ("center", Vec2),
+        ("rotation", Rot),
+        ("radius", Real),
+    ]
+
+
+class Polygon(ctypes.Structure):
+    _fields_ = [("corners", POINTER(Vec2)), ("cornerCount", c_size_t), ("radius", Real)]
+
+
+class Compound(ctypes.Structure):
+    _fields_ = [("parts", c_void_p), ("partCount", c_size_t)]
+
+
+class Point(ctypes.Structure):
+    _fields_ = [("position", Vec2)]
+
+
+class Segment(ctypes.Structure):
+    _fields_ = [("from", Vec2), ("to", Vec2), ("oneSided", c_bool), ("radius", Real)]
+
+
+class Plane(ctypes.Structure):
+    _fields_ = [("normal", Vec2), ("offset", Real)]
+
+
+class Heightmap(ctypes.Structure):
+    _fields_ = [
+        ("origin", Vec2),
+        ("spacing", Real),
+        ("heights", POINTER(Real)),
+        ("heightCount", c_size_t),
+    ]
+
+
+class Chain(ctypes.Structure):
+    _fields_ = [
+        ("points", POINTER(Vec2)),
+        ("pointCount", c_size_t),
+        ("closed", c_bool),
+        ("oneSided", c_bool),
+        ("materials", POINTER(Material)),
+        ("materialCount", c_size_t),
+    ]
+
+
+class Capsule(ctypes.Structure):
+    _fields_ = [("from", Vec2), ("to", Vec2), ("radius", Real)]
+
+
+class _Shapes(ctypes.Union):
+    _fields_ = [
+        ("circle", Circle),
+        ("box", Box),
+        ("polygon", Polygon),
+        ("compound", Compound),
+        ("point", Point),
+        ("segment", Segment),
+        ("plane", Plane),
+        ("heightmap", Heightmap),
+        ("chain", Chain),
+        ("capsule", Capsule),
+    ]
+
+
+class Shape(ctypes.Structure):
+    _anonymous_ = ("shapes",)
+    _fields_ = [("kind", c_int32), ("shapes", _Shapes)]
+
+
+class SoftSettings(ctypes.Structure):
+    _fields_ = [
+        ("substeps", c_int32),
+        ("impactPasses", c_int32),
+        ("contactHertz", Real),
+        ("contactDamping", Real),
+        ("jointHertz", Real),
+        ("jointDamping", Real),
+        ("pushSpeed", Real),
+    ]
+
+
+class PropagationSettings(ctypes.Structure):
+    _fields_ = [
+        ("substeps", c_int32),
+        ("impactPasses", c_int32),
+        ("contactPasses", c_int32),
+        ("shockPasses", c_int32),
+        ("jointHertz", Real),
+        ("jointDamping", Real),
+        ("pushSpeed", Real),
+    ]
+
+
+class _Solvers(ctypes.Union):
+    _fields_ = [("soft", SoftSettings), ("propagation", PropagationSettings)]
+
+
+class Settings(ctypes.Structure):
+    _anonymous_ = ("solvers",)
+    _fields_ = [
+        ("head", Head),
+        ("solver", c_int32),
+        ("solvers", _Solvers),
+        ("sleepSteps", c_int32),
+        ("leaveOut", c_uint8),
+    ]
+
+
+class WorldDef(ctypes.Structure):
+    _fields_ = [("head", Head), ("gravity", Vec2), ("lengthUnit", Real), ("settings", Settings)]
+
+
+class MassDef(ctypes.Structure):
+    _fields_ = [
+        ("mass", Real),
+        ("hasCenter", c_bool),
+        ("center", Vec2),
+        ("hasInertia", c_bool),
+        ("inertia", Real),
+    ]
+
+
+class BodyDef(ctypes.Structure):
+    _fields_ = [
+        ("head", Head),
+        ("shape", Shape),
+        ("position", Vec2),
+        ("rotation", Rot),
+        ("velocity", Vec2),
+        ("angularVelocity", Real),
+        ("material", Material),
+        ("density", Real),
+        ("hasMass", c_bool),
+        ("mass", MassDef),
+        ("type", c_int32),
+        ("flags", c_uint32),
+        ("required", c_uint16),
+        ("userData", c_uint64),
+    ]
+
+
+class BodyState(ctypes.Structure):
+    _fields_ = [
+        ("id", BodyId),
+        ("type", c_int32),
+        ("transform", Transform),
+        ("massFrame", Transform),
+        ("velocity", Vec2),
+        ("angularVelocity", Real),
+        ("mass", Real),
+        ("inertia", Real),
+        ("localCenter", Vec2),
+        ("area", Real),
+        ("bounds", Aabb),
+        ("flags", c_uint32),
+        ("required", c_uint16),
+        ("hasSetMass", c_bool),
+        ("isAsleep", c_bool),
+        ("userData", c_uint64),
+        ("partCount", c_size_t),
+    ]
+
+
+class Part(ctypes.Structure):
+    _fields_ = [("shape", Shape), ("material", Material), ("density", Real)]
+
+
+class Velocity(ctypes.Structure):
+    _fields_ = [("linear", Vec2), ("angular", Real)]
+
+
+class Load(ctypes.Structure):
+    _fields_ = [("force", Vec2), ("torque", Real)]
+
+
+class JointEnds(ctypes.Structure):
+    _fields_ = [
+        ("a", BodyId),
+        ("b", BodyId),
+        ("anchorA", Vec2),
+        ("anchorB", Vec2),
+        ("breakForce", Real),
+        ("breakTorque", Real),
+        ("collide", c_bool),
+    ]
+
+
+class RevoluteJoint(ctypes.Structure):
+    _fields_ = [
+        ("ends", JointEnds),
+        ("reference", Real),
+        ("hasLimits", c_bool),
+        ("limits", Range),
+        ("motorSpeed", Real),
+        ("motorTorque", Real),
+    ]
+
+
+class FixedJoint(ctypes.Structure):
+    _fields_ = [("ends", JointEnds), ("reference", Real)]
+
+
+class DistanceJoint(ctypes.Structure):
+    _fields_ = [
+        ("ends", JointEnds),
+        ("length", Real),
+        ("hertz", Real),
+        ("damping", Real),
+        ("hasLimits", c_bool),
+        ("limits", Range),
+    ]
+
+
+class PrismaticJoint(ctypes.Structure):
+    _fields_ = [
+        ("ends", JointEnds),
+        ("axis", Vec2),
+        ("reference", Real),
+        ("hasLimits", c_bool),
+        ("limits", Range),
+        ("motorSpeed", Real),
+        ("motorForce", Real),
+    ]
+
+
+class MotorJoint(ctypes.Structure):
+    _fields_ = [
+        ("ends", JointEnds),
+        ("reference", Real),
+        ("force", Real),
+        ("torque", Real),
+        ("hertz", Real),
+        ("damping", Real),
+    ]
+
+
+class MouseJoint(ctypes.Structure):
+    _fields_ = [
+        ("body", BodyId),
+        ("anchor", Vec2),
+        ("target", Vec2),
+        ("force", Real),
+        ("hertz", Real),
+        ("damping", Real),
+    ]
+
+
+class _Joints(ctypes.Union):
+    _fields_ = [
+        ("revolute", RevoluteJoint),
+        ("fixed", FixedJoint),
+        ("distance", DistanceJoint),
+        ("prismatic", PrismaticJoint),
+        ("motor", MotorJoint),
+        ("mouse", MouseJoint),
+    ]
+
+
+class JointDef(ctypes.Structure):
+    _anonymous_ = ("joints",)
+    _fields_ = [("head", Head), ("kind", c_int32), ("joints", _Joints)]
+
+
+class BrokenJoint(ctypes.Structure):
+    _fields_ = [
+        ("id", JointId),
+        ("a", BodyId),
+        ("b", BodyId),
+        ("force", Real),
+        ("torque", Real),
+    ]
+
+
+class Gravity(ctypes.Structure):
+    _fields_ = [("acceleration", Vec2)]
+
+
+class DragLaw(ctypes.Structure):
+    _fields_ = [("linear", Real), ("quadratic", Real)]
+
+
+class Drag(ctypes.Structure):
+    _fields_ = [("law", DragLaw), ("air", Vec2)]
+
+
+class Wind(ctypes.Structure):
+    _fields_ = [("law", DragLaw), ("velocity", Vec2), ("hasRegion", c_bool), ("region", Aabb)]
+
+
+class Attractor(ctypes.Structure):
+    _fields_ = [("law", c_int32), ("center", Vec2), ("strength", Real), ("softening", Real)]
+
+
+class Buoyancy(ctypes.Structure):
+    _fields_ = [("density", Real), ("drag", Real), ("surface", Vec2), ("gravity", Vec2)]
+
+
+class FieldBody(ctypes.Structure):
+    _fields_ = [
+        ("id", BodyId),
+        ("flags", c_uint32),
+        ("transform", Transform),
+        ("massFrame", Transform),
+        ("midStep", Transform),
+        ("velocity", Vec2),
+        ("angularVelocity", Real),
+        ("mass", Real),
+        ("inertia", Real),
+        ("area", Real),
+        ("userData", c_uint64),
+    ]
+
+
+class FieldForce(ctypes.Structure):
+    _fields_ = [("force", Vec2), ("torque", Real), ("drag", Real), ("spinDrag", Real)]
+
+
+FIELD_FUNCTION = ctypes.CFUNCTYPE(None, c_void_p, POINTER(FieldBody), Real, POINTER(FieldForce))
+END_FUNCTION = ctypes.CFUNCTYPE(None, c_void_p)
+
+
+class OwnField(ctypes.Structure):
+    _fields_ = [
+        ("at", FIELD_FUNCTION),
+        ("destroy", END_FUNCTION),
+        ("context", c_void_p),
+        ("steady", c_bool),
+    ]
+
+
+class _Fields(ctypes.Union):
+    _fields_ = [
+        ("own", OwnField),
+        ("gravity", Gravity),
+        ("drag", Drag),
+        ("wind", Wind),
+        ("attractor", Attractor),
+        ("buoyancy", Buoyancy),
+    ]
+
+
+class Field(ctypes.Structure):
+    _anonymous_ = ("fields",)
+    _fields_ = [("head", Head), ("which", Filter), ("kind", c_int32), ("fields", _Fields)]
+
+
+STAGE_FUNCTION = ctypes.CFUNCTYPE(None, c_void_p, c_int32)
+
+
+class StepOptions(ctypes.Structure):
+    _fields_ = [
+        ("head", Head),
+        ("pool", c_void_p),
+        ("enterStage", STAGE_FUNCTION),
+        ("leaveStages", END_FUNCTION),
+        ("context", c_void_p),
+    ]
+
+
+class StepStats(ctypes.Structure):
+    _fields_ = [
+        ("bodies", c_size_t),
+        ("contacts", c_size_t),
+        ("joints", c_size_t),
+        ("pairWork", c_uint64),
+        ("changeVisits", c_uint64),
+    ]
+
+
+class RecordPoint(ctypes.Structure):
+    _fields_ = [("position", Vec2), ("separation", Real), ("maxImpulse", Real)]
+
+
+class CollisionRecord(ctypes.Structure):
+    _fields_ = [
+        ("a", BodyId),
+        ("b", BodyId),
+        ("partA", c_uint16),
+        ("partB", c_uint16),
+        ("phase", c_int32),
+        ("pointCount", c_int32),
+        ("points", RecordPoint * 2),
+        ("point", Vec2),
+        ("normal", Vec2),
+        ("separation", Real),
+        ("approachSpeed", Real),
+        ("maxImpulse", Real),
+        ("totalImpulse", Real),
+    ]
+
+
+class Query(ctypes.Structure):
+    _fields_ = [
+        ("head", Head),
+        ("which", Filter),
+        ("except", POINTER(BodyId)),
+        ("exceptCount", c_size_t),
+    ]
+
+
+class Ray(ctypes.Structure):
+    _fields_ = [("from", Vec2), ("to", Vec2)]
+
+
+class PlacedShape(ctypes.Structure):
+    _fields_ = [("shape", POINTER(Shape)), ("at", Transform)]
+
+
+class QueryHit(ctypes.Structure):
+    _fields_ = [
+        ("found", c_bool),
+        ("body", BodyId),
+        ("part", c_uint16),
+        ("fraction", Real),
+        ("point", Vec2),
+        ("normal", Vec2),
+    ]
+
+
+class QueryPoint(ctypes.Structure):
+    _fields_ = [
+        ("found", c_bool),
+        ("body", BodyId),
+        ("part", c_uint16),
+        ("point", Vec2),
+        ("normal", Vec2),
+        ("distance", Real),
+    ]
+
+
+class SnapshotDef(ctypes.Structure):
+    _fields_ = [
+        ("head", Head),
+        ("bytes", c_void_p),
+        ("byteCount", c_size_t),
+        ("ownFields", POINTER(Field)),
+        ("ownFieldCount", c_size_t),
+    ]
+
+
+Struct = TypeVar("Struct", bound=ctypes.Structure)
+
+
+def initialised(struct: Type[Struct], *kind: int) -> Struct:
+    """A definition with the defaults of the library, by kodo_initName()."""
+    made = struct()
+    kinds = [c_int32(number) for number in kind]
+    call(f"kodo_init{struct.__name__}", ctypes.byref(made), head_of(struct), *kinds)
+    return made

@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: MIT
+"""What a World lists after a step, and what queries find."""
+from __future__ import annotations
+
+from typing import NamedTuple, Tuple
+
+from . import _structs as c
+from .values import BodyId, Phase, Vec2, from_body_id, from_vec2
+
+
+class RecordPoint(NamedTuple):
+    """One of the points at which two parts touch."""
+
+    position: Vec2  #: m, world
+    separation: float  #: m, before the solver; < 0 in overlap
+    max_impulse: float  #: N s; largest normal impulse at this point in one group
+
+
+class CollisionRecord(NamedTuple):
+    """Contact of two parts of two bodies in one step. At Phase.END the numbers are 0."""
+
+    a: BodyId  #: a.index < b.index
+    b: BodyId
+    part_a: int
+    part_b: int
+    phase: Phase
+    points: Tuple[RecordPoint, ...]  #: 1 or 2; none at Phase.END
+    point: Vec2  #: m, world; that of the largest impulse, else the deepest one
+    normal: Vec2  #: unit, from a to b
+    separation: float  #: m, before the solver
+    approach_speed: float  #: m/s along the normal before the solver; >= 0
+    max_impulse: float  #: N s; largest normal impulse of all points in one group
+    total_impulse: float  #: N s; normal impulses of all points, summed over the step
+
+    def involves(self, body: BodyId) -> bool:
+        return body in (self.a, self.b)
+
+    def other(self, body: BodyId) -> BodyId:
+        return self.b if self.a == body else self.a
+
+
+class QueryHit(NamedTuple):
+    """Where a ray or a moving shape meets a part of a body."""
+
+    body: BodyId
+    part: int
+    fraction: float  #: 0 to 1 of the ray or displacement
+    point: Vec2  #: m
+    normal: Vec2  #: unit, out of the body; zero for overlap at the start
+
+
+class QueryPoint(NamedTuple):
+    """The point of a body closest to a query point."""
+
+    body: BodyId
+    part: int
+    point: Vec2  #: m; the query point itself if it is inside
+    normal: Vec2  #: unit, from the body to the query point; zero inside
+    distance: float  #: m; 0 inside
+
+
+class StepStats(NamedTuple):
+    """Work of the last step."""
+
+    bodies: int  #: awake bodies
+    contacts: int  #: visits of contacts by the solver, summed over all passes
+    joints: int  #: joints of awake bodies
+    pair_work: int  #: pairs of nodes of bounds trees compared, all steps so far
+    change_visits: int  #: bodies and parts visited by calls that concern many, so far
+
+
+def from_record(record: c.CollisionRecord) -> CollisionRecord:
+    points = tuple(
+        RecordPoint(from_vec2(point.position), point.separation, point.maxImpulse)
+        for point in record.points[: record.pointCount]
+    )
+    return CollisionRecord(
+        from_body_id(record.a),
+        from_body_id(record.b),
+        record.partA,
+        record.partB,
+        Phase(record.phase),
+        points,
+        from_vec2(record.point),
+        from_vec2(record.normal),
+        record.separation,
+        record.approachSpeed,
+        record.maxImpulse,
+        record.totalImpulse,
+    )
+
+
+def from_hit(hit: c.QueryHit) -> QueryHit:
+    return QueryHit(from_body_id(hit.body), hit.part, hit.fraction, from_vec2(hit.point),
+                    from_vec2(hit.normal))

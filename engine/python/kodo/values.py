@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: MIT
+"""Plain values: vectors are tuples (x, y) in metres, angles are in radians, counter-clockwise."""
+from __future__ import annotations
+
+import ctypes
+import dataclasses
+import enum
+from typing import NamedTuple, Optional, Sequence, Tuple, Type
+
+from . import _structs as c
+from ._library import Real, library
+
+#: (x, y): x to the right, y up.
+Vec2 = Tuple[float, float]
+#: (lower left corner, upper right corner), in metres.
+Aabb = Tuple[Vec2, Vec2]
+
+library.kodo_rotation.restype = c.Rot
+library.kodo_angle.restype = Real
+
+
+class BodyType(enum.IntEnum):
+    """How a body moves."""
+
+    DYNAMIC = 0  #: by forces, contacts and joints
+    KINEMATIC = 1  #: by the velocity that it is given
+    STATIC = 2  #: never
+
+
+class Flags(enum.IntFlag):
+    """Flags of a body beside the 16 categories of the user (bits 0 to 15)."""
+
+    LOCK_MOVE = 1 << 16  #: infinite mass
+    LOCK_ROTATE = 1 << 17  #: infinite moment of inertia
+    DISABLED = 1 << 18  #: collides with nothing, no query finds it
+    ASLEEP = 1 << 19  #: status
+    NEVER_SLEEP = 1 << 20  #: the body keeps its island awake
+    COLLIDING = 1 << 21  #: status: touched something in the last step
+    SENSOR = 1 << 22  #: detects overlap, without any response
+    FROZEN = 1 << 23  #: status: see World.frozen_bodies()
+    OUTSIDE = 1 << 24  #: status: outside the region
+    MATCH_ANY = 1 << 28  #: collides where at least one of the required flags is set
+    MATCH_ALL = 1 << 29  #: where all of them are set
+    MATCH_EQUAL = 1 << 30  #: where exactly these are set
+
+
+class Phase(enum.IntEnum):
+    """Phase of a contact."""
+
+    BEGIN = 0
+    PERSIST = 1
+    END = 2
+
+
+@dataclasses.dataclass(frozen=True, order=True)
+class BodyId:
+    """Names a body of a World and of its copies. Compared by index and generation."""
+
+    index: int = 0
+    generation: int = 0
+    world: int = dataclasses.field(default=0, compare=False)  #: stamp of the World
+
+
+@dataclasses.dataclass(frozen=True, order=True)
+class JointId:
+    """Names a joint of a World and of its copies. Compared by index and generation."""
+
+    index: int = 0
+    generation: int = 0
+    world: int = dataclasses.field(default=0, compare=False)  #: stamp of the World
+
+
+@dataclasses.dataclass(frozen=True)
+class Material:
+    """Surface of a body or part; no units."""
+
+    static_friction: float = 0.6  #: >= kinetic_friction
+    kinetic_friction: float = 0.6  #: >= 0
+    restitution: float = 0.0  #: 0 to 1; a contact takes the smaller of two
+    rolling_resistance: float = 0.0  #: >= 0; as share of the radius
+
+
+def with_friction(friction: float, restitution: float = 0.0) -> Material:
+    """A material with equal static and kinetic friction."""
+    return Material(friction, friction, restitution)
+
+
+class Filter(NamedTuple):
+    """Which bodies a query, a field or a force concerns. Filter() is all."""
+
+    flags: int = 0  #: at most one of MATCH_ANY, MATCH_ALL, MATCH_EQUAL
+    required: int = 0  #: categories that a body must have
+
+
+class Transform(NamedTuple):
+    """Pose of a frame."""
+
+    position: Vec2  #: m
+    rotation: Vec2  #: (cosine, sine) of the angle
+
+    @property
+    def angle(self) -> float:
+        """-pi to pi (rad)."""
+        return library.kodo_angle(c.Rot(*self.rotation))
+
+    def __mul__(self, point: Vec2) -> Vec2:  # type: ignore[override]
+        """A local point in the world (m)."""
+        (x, y), (cosine, sine) = self.position, self.rotation
+        return (cosine * point[0] - sine * point[1] + x, sine * point[0] + cosine * point[1] + y)
+
+
+def to_vec2(value: Sequence[float]) -> c.Vec2:
+    x, y = value
+    return c.Vec2(x, y)
+
+
+def to_rot(angle: float) -> c.Rot:
+    return library.kodo_rotation(Real(angle))
+
+
+def to_aabb(box: Aabb) -> c.Aabb:
+    return c.Aabb(to_vec2(box[0]), to_vec2(box[1]))
+
+
+def to_body_id(body: BodyId) -> c.BodyId:
+    return c.BodyId(body.index, body.generation, body.world)
+
+
+def to_joint_id(joint: JointId) -> c.JointId:
+    return c.JointId(joint.index, joint.generation, joint.world)
+
+
+def to_filter(which: Filter) -> c.Filter:
+    return c.Filter(int(which[0]), which[1])
+
+
+def to_material(m: Material) -> c.Material:
+    return c.Material(*dataclasses.astuple(m))
+
+
+def to_range(limits: Optional[Tuple[float, float]]) -> c.Range:
+    return c.Range(*(limits or (0.0, 0.0)))
+
+
+def from_vec2(v: c.Vec2) -> Vec2:
+    return (v.x, v.y)
+
+
+def from_aabb(box: c.Aabb) -> Aabb:
+    return (from_vec2(box.lower), from_vec2(box.upper))
+
+
+def from_transform(t: c.Transform) -> Transform:
+    return Transform(from_vec2(t.position), (t.rotation.c, t.rotation.s))
+
+
+def from_material(m: c.Material) -> Material:
+    return Material(*(getattr(m, name) for name, _ in c.Material._fields_))
+
+
+def from_body_id(i: c.BodyId) -> BodyId:
+    return BodyId(i.index, i.generation, i.world)
+
+
+def from_joint_id(i: c.JointId) -> JointId:
+    return JointId(i.index, i.generation, i.world)
+
+
+def to_array(struct: Type[c.Struct], items: Sequence[c.Struct]) -> ctypes.Array[c.Struct]:
+    return (struct * len(items))(*items)

@@ -1,0 +1,409 @@
+# SPDX-License-Identifier: MIT
+"""The Python module. Each test runs with NumPy's arrays and without, where NumPy is installed."""
+import array
+import gc
+import math
+import pathlib
+import re
+import unittest
+
+import kodo
+from kodo import _structs, buffers, fields
+
+DT = 1 / 60
+ABI = pathlib.Path(__file__).resolve().parents[2] / "engine/c/abi.txt"
+
+
+def falling_boxes():
+    """A World with ground and three boxes above it, and the boxes."""
+    world = kodo.World(gravity=(0, -10))
+    world.add(kodo.Plane(), type=kodo.BodyType.STATIC)
+    return world, [world.add(kodo.Box(1, 1), position=(2 * i, 1 + i)) for i in range(3)]
+
+
+class Structs(unittest.TestCase):
+    def test_sizes_and_offsets_are_those_of_the_abi(self):
+        column = 2 if kodo.REAL_SIZE == 4 else 3
+        struct, compared = None, 0
+        for line in ABI.read_text(encoding="utf-8").splitlines():
+            words = line.split()
+            if words[0] == "struct":
+                struct = getattr(_structs, words[1].replace("kodo_", ""))
+                self.assertEqual(int(words[column]), _structs.ctypes.sizeof(struct), line)
+            elif line.startswith(" "):
+                self.assertEqual(int(words[column - 1]), getattr(struct, words[0]).offset, line)
+                compared += 1
+            elif words[0] == "version":
+                self.assertEqual(int(words[1]), _structs.VERSION)
+        self.assertGreater(compared, 200)
+
+    def test_enumerators_are_those_of_the_abi(self):
+        numbers = dict(re.findall(r"enumerator KODO_(\w+) (\d+)", ABI.read_text(encoding="utf-8")))
+        for enum in (kodo.BodyType, kodo.Flags, kodo.Phase, kodo.Feature):
+            for member in enum:
+                self.assertEqual(int(numbers[member.name]), member.value, member)
+
+
+class Bodies(unittest.TestCase):
+    def test_a_ball_falls_as_the_closed_form_says(self):
+        world = kodo.World(gravity=(0, -10))
+        ball = world.add(kodo.Circle(0.5), position=(0, 10), velocity=(1, 0))
+        for _ in range(60):
+            world.step(DT)
+        self.assertAlmostEqual(1, ball.position[0], places=4)
+        self.assertAlmostEqual(5, ball.position[1], places=1)
+        self.assertAlmostEqual(-10, ball.velocity[1], places=4)
+
+    def test_each_property_is_read_as_it_was_set(self):
+        world, (box, other, _) = falling_boxes()
+        box.position, box.angle = (3, 4), 0.5
+        box.velocity, box.angular_velocity = (1, 2), 3
+        box.flags, box.required, box.user_data = 5 | kodo.Flags.MATCH_ANY, 6, 2**63
+        self.assertEqual((3, 4), box.position)
+        self.assertAlmostEqual(0.5, box.angle, places=6)
+        self.assertEqual(((1, 2), 3), (box.velocity, box.angular_velocity))
+        self.assertEqual((5 | kodo.Flags.MATCH_ANY, 6, 2**63),
+                         (box.flags, box.required, box.user_data))
+        box.set_mass(kodo.MassDef(2, center=(0.1, 0), inertia=0.3))
+        self.assertAlmostEqual(0.3, box.inertia, places=6)
+        self.assertTrue(box.has_set_mass)
+        box.set_mass_from_density()
+        self.assertEqual((1, 1), (box.mass, box.area))
+        box.type = kodo.BodyType.KINEMATIC
+        self.assertEqual(kodo.BodyType.KINEMATIC, box.type)
+        other.copy_from(box)
+        self.assertEqual(kodo.BodyType.KINEMATIC, other.type)
+        self.assertTrue(box.contains((3, 4)))
+        self.assertAlmostEqual(1 + 3, box.velocity_at((3, 3))[0], places=5)
+        self.assertEqual(box, world[box.id])
+        self.assertEqual(1, len({box, world[box]}))
+
+    def test_each_shape_is_read_as_it_was_given(self):
+        corners = ((0.0, 0.0), (2.0, 0.0), (0.0, 3.0))
+        shapes = [
+            kodo.Circle(2, (1, 3)),
+            kodo.Box(2, 3, (4, 5), 0.0, 0.5),
+            kodo.Polygon(corners, 0.5),
+            kodo.Point((1, 2)),
+            kodo.Segment((0, 1), (2, 3), one_sided=True),
+            kodo.Plane((1, 0), 3),
+            kodo.Capsule((0, 1), (2, 3), 0.5),
+        ]
+        world = kodo.World()
+        for shape in shapes:
+            body = world.add(shape, type=kodo.BodyType.STATIC)
+            self.assertEqual([shape], [part.shape for part in body.parts])
+        compound = world.add(kodo.Compound(shapes), type=kodo.BodyType.STATIC)
+        self.assertEqual(shapes, [part.shape for part in compound.parts])
+        ground = world.add(kodo.Heightmap(1, [0, 1, 0]), type=kodo.BodyType.STATIC)
+        self.assertEqual(2, len(ground.parts))
+        chain = world.add(
+            kodo.Chain(corners, closed=True, materials=[kodo.with_friction(i) for i in range(3)]),
+            type=kodo.BodyType.STATIC,
+        )
+        self.assertEqual([0, 1, 2], [part.material.static_friction for part in chain.parts])
+
+    def test_weld_and_unweld_keep_the_mass(self):
+        world, (box, other, _) = falling_boxes()
+        self.assertEqual(1, box.weld(other))
+        self.assertNotIn(other, world)
+        self.assertEqual(2, box.weld(kodo.Circle(0.5, (0, 1)), density=2))
+        self.assertAlmostEqual(2 + math.pi / 2, box.mass, places=5)
+        part = box.unweld(1, flags=kodo.Flags.NEVER_SLEEP)
+        self.assertEqual((1, kodo.Flags.NEVER_SLEEP), (part.mass, part.flags))
+
+    def test_a_body_that_is_removed_is_unknown(self):
+        world, (box, *_) = falling_boxes()
+        clone = box.clone((9, 9))
+        box.remove()
+        self.assertNotIn(box, world)
+        self.assertIn(clone, world)
+        self.assertEqual(4, len(world))
+        with self.assertRaisesRegex(kodo.BadBodyId, "is not in this World"):
+            box.velocity = (1, 0)
+
+
+class Errors(unittest.TestCase):
+    def test_each_status_has_its_exception_and_the_sentence_of_the_engine(self):
+        world, (box, *_) = falling_boxes()
+        with self.assertRaisesRegex(kodo.BadDefinition, "^shape.radius: must be greater than 0"):
+            world.add(kodo.Circle(-1))
+        with self.assertRaises(kodo.BadSnapshot):
+            kodo.World.from_bytes(b"nothing")
+        with self.assertRaisesRegex(kodo.BadDefinition, "dt"):
+            world.step(2)
+        with self.assertRaises(kodo.BadDefinition):
+            kodo.ThreadPool(-1)
+        self.assertTrue(issubclass(kodo.BadDefinition, ValueError))
+        self.assertEqual(4, len(world))
+        with self.assertRaises(TypeError):
+            world.add("a ball")
+        with self.assertRaises(TypeError):
+            world.add_joint(box)
+
+    def test_a_world_twice_in_a_list_is_wrong_use(self):
+        world, boxes = falling_boxes()
+        worlds = kodo.Worlds(world, 2, boxes)
+        worlds._handles[1] = worlds._handles[0]
+        with self.assertRaisesRegex(kodo.WrongUse, "twice in the list"):
+            worlds.step(DT)
+
+
+class State(unittest.TestCase):
+    def test_a_copy_and_a_snapshot_continue_alike(self):
+        world, boxes = falling_boxes()
+        copy, again = world.copy(), kodo.World.from_bytes(world.to_bytes())
+        for each in (world, copy, again):
+            for _ in range(60):
+                each.step(DT)
+        self.assertEqual(world.state_hash(), copy.state_hash())
+        self.assertEqual(world.state_hash(), again.state_hash())
+        self.assertEqual(world.to_bytes(), copy.to_bytes())
+        self.assertEqual(boxes[1].position, copy[boxes[1]].position)
+        world.step(DT)
+        world.assign(copy)
+        self.assertEqual(60, world.step_count)
+
+    def test_settings_and_profiles_are_read_as_they_were_set(self):
+        world, _ = falling_boxes()
+        for profile in (kodo.fast, kodo.balanced, kodo.accurate, kodo.thesis2006):
+            settings = profile()
+            settings.sleep_steps = 7
+            settings.leave_out = kodo.Feature.FRICTION | kodo.Feature.SLEEP
+            world.settings = settings
+            self.assertEqual(settings, world.settings)
+        self.assertIsInstance(world.settings.solver, kodo.PropagationSettings)
+
+    def test_the_region_leaves_bodies_out(self):
+        world, boxes = falling_boxes()
+        world.region = ((-1, -1), (1, 5))
+        world.step(DT)
+        self.assertEqual(((-1, -1), (1, 5)), world.region)
+        self.assertTrue(boxes[2].flags & kodo.Flags.OUTSIDE)
+        self.assertEqual(1, world.stats.bodies)
+        world.region = None
+        self.assertIsNone(world.region)
+
+
+class Joints(unittest.TestCase):
+    def test_each_joint_is_read_as_it_was_given(self):
+        world, (box, other, _) = falling_boxes()
+        ends = {"a": box.id, "b": other.id, "anchor_a": (0.5, 0.0), "break_force": 1000.0}
+        joints = [
+            kodo.RevoluteJoint(**ends, limits=(-1.0, 2.0), motor_speed=3.0, motor_torque=4.0),
+            kodo.FixedJoint(**ends, reference=0.5),
+            kodo.DistanceJoint(**ends, length=2.0, hertz=3.0, damping=0.5, limits=(0.0, 4.0)),
+            kodo.PrismaticJoint(**ends, axis=(0.0, 1.0), motor_speed=2.0, motor_force=3.0),
+            kodo.MotorJoint(**ends, force=2.0, torque=3.0),
+            kodo.MouseJoint(box.id, target=(1.0, 2.0), damping=0.5),
+        ]
+        for joint in joints:
+            added = world.add_joint(joint)
+            self.assertEqual(joint, world.joint(added))
+            world.set_joint(added, joint)
+            world.remove_joint(added)
+            self.assertFalse(world.contains_joint(added))
+        self.assertEqual([], world.joints)
+
+    def test_a_joint_carries_and_breaks(self):
+        world = kodo.World(gravity=(0, -10))
+        hook = world.add(kodo.Circle(0.1), type=kodo.BodyType.STATIC)
+        box = world.add(kodo.Box(1, 1), position=(0, -0.5))
+        joint = world.add_joint(kodo.RevoluteJoint(hook, box, anchor_b=(0, 0.5)))
+        for _ in range(60):
+            world.step(DT)
+        (_, force), _ = world.joint_load(joint)
+        self.assertAlmostEqual(10, force, places=2)
+        numbers = world.joint(joint)
+        numbers.break_force = 1.0
+        world.set_joint(joint, numbers)
+        box.wake()
+        world.step(DT)
+        (broken,) = world.broken_joints()
+        self.assertEqual((joint, box.id), (broken.id, broken.b))
+
+
+class Fields(unittest.TestCase):
+    def test_fields_are_read_as_they_were_given(self):
+        world = kodo.World()
+        given = [
+            (kodo.Gravity((1, -9)), kodo.Filter()),
+            (kodo.Drag(1, 2, (3, 4)), kodo.Filter()),
+            (kodo.Wind(1, 2, (3, 4), ((-5, -6), (7, 8))), kodo.Filter()),
+            (kodo.Attractor((1, 2), 3, 4, linear=True), kodo.Filter()),
+            (kodo.Buoyancy(1, 2, (3, 4), (0, -10)), kodo.Filter(kodo.Flags.MATCH_ANY, 6)),
+            (kodo.OwnField(lambda body, dt: kodo.FieldForce()), kodo.Filter()),
+        ]
+        world.set_fields(given)
+        self.assertEqual(given, world.fields)
+
+    def test_a_field_of_the_user_pulls_and_ends_with_its_world(self):
+        pull = kodo.OwnField(lambda body, dt: kodo.FieldForce((2 * body.mass, 0.0)))
+        world = kodo.World()
+        ball = world.add(kodo.Circle(0.5))
+        world.add_field(pull)
+        for _ in range(60):
+            world.step(DT)
+        self.assertAlmostEqual(2, ball.velocity[0], places=4)
+        again = kodo.World.from_bytes(world.to_bytes(), [pull])
+        again.step(DT)
+        world.step(DT)
+        self.assertEqual(world.state_hash(), again.state_hash())
+        with self.assertRaises(kodo.BadDefinition):
+            world.add_field(pull, kodo.Filter(required=1))
+        self.assertEqual(2, len(fields._fields))
+        del world, again, ball
+        gc.collect()
+        self.assertEqual(0, len(fields._fields))
+
+    def test_an_exception_of_a_field_reaches_the_caller_of_the_step(self):
+        def fails(body, dt):
+            raise ZeroDivisionError("out of order")
+
+        world = kodo.World(gravity=(0, -10))
+        ball = world.add()
+        world.add_field(kodo.OwnField(fails))
+        with self.assertRaisesRegex(ZeroDivisionError, "out of order"):
+            world.step(DT)
+        self.assertLess(ball.velocity[1], 0)
+        world.set_fields([])
+        world.step(DT)
+
+
+class Collisions(unittest.TestCase):
+    def test_a_contact_begins_once_and_ends_once(self):
+        world, (box, *_) = falling_boxes()
+        begun = ended = 0
+        for _ in range(60):
+            world.step(DT)
+            begun += sum(hit.involves(box.id) for hit in world.begun_collisions())
+        box.position = (0, 20)
+        world.step(DT)
+        ended += sum(hit.involves(box.id) for hit in world.ended_collisions())
+        self.assertEqual((1, 1), (begun, ended))
+        for _ in range(400):
+            world.step(DT)
+            if hits := world.hits(5):
+                break
+        self.assertEqual(box.id, hits[0].other(world.bodies[0].id))
+        self.assertGreater(hits[0].approach_speed, 15)
+        self.assertEqual(kodo.Phase.BEGIN, world.collisions(box)[0].phase)
+
+    def test_a_list_beyond_the_first_room_is_complete(self):
+        world = kodo.World()
+        for i in range(50):
+            world.add(position=(3 * i, 0))
+        self.assertEqual(50, len(list(world)))
+        self.assertEqual(50, len(world.ray_cast_all((-5, 0), (200, 0))))
+
+
+class Queries(unittest.TestCase):
+    def test_queries_find_what_is_there(self):
+        world = kodo.World()
+        first, second = (world.add(position=(3 * i, 0), flags=1 + i) for i in range(2))
+        self.assertEqual(first.id, world.ray_cast((-5, 0), (9, 0)).body)
+        self.assertEqual(second.id, world.ray_cast((-5, 0), (9, 0), ignore=[first]).body)
+        self.assertIsNone(world.ray_cast((-5, 3), (9, 3)))
+        red = kodo.Filter(kodo.Flags.MATCH_ANY, 2)
+        self.assertEqual([second.id], world.overlap_box(((-9, -9), (9, 9)), red))
+        self.assertEqual([first.id], world.overlap(kodo.Box(1, 1), angle=0.5))
+        hit = world.shape_cast(kodo.Circle(0.5), (-5, 0), (10, 0))
+        self.assertAlmostEqual(0.4, hit.fraction, places=2)
+        closest = world.closest_point((3, 2))
+        self.assertEqual(second.id, closest.body)
+        self.assertAlmostEqual(1.5, closest.distance, places=5)
+        self.assertIsNone(world.closest_point((3, 2), 1))
+
+
+class ArraysTest(unittest.TestCase):
+    """With the arrays of `module`, or of the standard library if it is None."""
+
+    module = None
+
+    def setUp(self):
+        before = buffers.numpy
+        self.addCleanup(lambda: setattr(buffers, "numpy", before))
+        buffers.numpy = self.module
+
+    def rows(self, made):
+        return made.tolist()
+
+    def test_poses_and_velocities_are_those_of_each_body(self):
+        world, boxes = falling_boxes()
+        boxes[1].angular_velocity = 1
+        for _ in range(20):
+            world.step(DT)
+        poses, velocities = self.rows(world.poses(boxes)), self.rows(world.velocities(boxes))
+        for i, box in enumerate(boxes):
+            self.assertEqual([*box.position, *box.transform.rotation], poses[i])
+            self.assertEqual([*box.velocity, box.angular_velocity], velocities[i])
+        self.assertEqual([], self.rows(world.poses([])))
+
+    def test_an_array_of_the_caller_is_filled_without_a_copy(self):
+        world, boxes = falling_boxes()
+        out = world.poses(boxes)
+        boxes[2].position = (7, 8)
+        self.assertIs(out, world.poses(boxes, out=out))
+        self.assertEqual(7, out[2, 0])
+        flat = array.array(kodo.REAL_CODE, [0] * 12)
+        world.poses(boxes, out=flat)
+        self.assertEqual(8, flat[9])
+
+    def test_an_array_of_another_type_or_size_is_refused(self):
+        world, boxes = falling_boxes()
+        for wrong in (array.array("i", [0] * 12), array.array(kodo.REAL_CODE, [0] * 11)):
+            with self.assertRaisesRegex(ValueError, "3 x 4 numbers of the type"):
+                world.poses(boxes, out=wrong)
+        with self.assertRaisesRegex(ValueError, "writable"):
+            world.poses(boxes, out=memoryview(bytes(12 * kodo.REAL_SIZE)).cast(kodo.REAL_CODE))
+        with self.assertRaises(ValueError):
+            world.apply_loads(boxes, [[1, 2, 3]])
+
+    def test_loads_act_on_each_body(self):
+        world, boxes = falling_boxes()
+        other = world.copy()
+        world.apply_loads(boxes, [[1, 2, 3], [4, 5, 6], [7, 8, 9]])
+        for i, box in enumerate(boxes):
+            other[box].apply_force((1 + 3 * i, 2 + 3 * i))
+            other[box].apply_torque(3 + 3 * i)
+        world.step(DT)
+        other.step(DT)
+        self.assertEqual(other.state_hash(), world.state_hash())
+
+    def test_worlds_step_as_each_alone(self):
+        world, boxes = falling_boxes()
+        for pool in (None, kodo.ThreadPool(2)):
+            worlds = kodo.Worlds(world, 5, boxes, pool)
+            loads = worlds.velocities()
+            for i in range(5):
+                loads[i, 1, 0] = i
+            worlds.apply_loads(loads)
+            worlds.step(DT, count=10)
+            for i in range(5):
+                alone = world.copy()
+                alone[boxes[1]].apply_force((i, 0))
+                for _ in range(10):
+                    alone.step(DT)
+                self.assertEqual(alone.state_hash(), worlds[i].state_hash())
+            self.assertEqual(self.rows(worlds.poses())[4], self.rows(worlds[4].poses(boxes)))
+            worlds.reset(4)
+            self.assertEqual(world.state_hash(), worlds[4].state_hash())
+            worlds.set_velocities(loads)
+            self.assertEqual(3, worlds[3][boxes[1]].velocity[0])
+
+
+@unittest.skipIf(buffers.numpy is None, "NumPy is not installed")
+class NumpyTest(ArraysTest):
+    module = buffers.numpy
+
+    def test_arrays_are_those_of_numpy(self):
+        world, boxes = falling_boxes()
+        worlds = kodo.Worlds(world, 5, boxes)
+        self.assertIsInstance(worlds.poses(), buffers.numpy.ndarray)
+        self.assertEqual((5, 3, 4), worlds.poses().shape)
+        self.assertEqual(kodo.REAL_CODE, worlds.poses().dtype.char)
+        worlds.apply_loads(buffers.numpy.ones((5, 3, 3), dtype=kodo.REAL_CODE))
+
+
+if __name__ == "__main__":
+    unittest.main()
