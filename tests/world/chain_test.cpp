@@ -33,7 +33,10 @@ std::vector<Rider> riders() {
         {"triangle", Polygon{{{-1, -half}, {1, -half}, {0, 1}}}, half},
         {"rod", Segment{{-half, 0}, {half, 0}}, 0},
         {"point", Point{}, 0},
-        {"figure", Compound{{Circle{half, {-1, 0}}, Circle{half, {1, 0}}, Box{2, half}}}, half}};
+        {"figure", Compound{{Circle{half, {-1, 0}}, Circle{half, {1, 0}}, Box{2, half}}}, half},
+        {"capsule", Capsule{{-half, 0}, {half, 0}, half / 2}, half / 2},
+        {"upright capsule", Capsule{{0, -half}, {0, half}, half / 2}, 3 * half / 2},
+        {"rounded box", Box{.width = Real(0.8), .height = Real(0.8), .radius = Real(0.1)}, half}};
 }
 
 /// Ground from left to right whose front is up.
@@ -75,7 +78,7 @@ TEST(Chain, FlushPiecesAreNotFelt) {
     }
     for (const Kind kind : kKinds) {
         for (const Rider& rider : riders()) {
-            for (const int rate : {30, 60, 240}) {
+            for (const int rate : {30, 60, 120, 240}) {
                 for (const support::Solver solver : support::kSolvers) {
                     SCOPED_TRACE(testing::Message()
                                  << "kind " << static_cast<int>(kind) << ", " << rider.name
@@ -124,7 +127,9 @@ Real heightAt(const std::vector<Vec2>& points, Real x) {
 
 // E1: without friction and restitution no kink gives energy, and no body comes out below.
 TEST(Chain, BendsGiveNoEnergyAndLetNothingPass) {
-    for (const double turn : {0.001, 0.03, 0.3, 1.0}) {
+    int tumbling = 0;
+    int pierced = 0;
+    for (const double turn : {0.001, 0.03, 0.3, 1.0, 1.5}) {
         for (const int rate : {60, 240}) {
             for (const support::Solver solver : support::kSolvers) {
                 for (int i = 0; i < std::max(draws(8), 2); ++i) {
@@ -161,16 +166,18 @@ TEST(Chain, BendsGiveNoEnergyAndLetNothingPass) {
                             const Vec2 at = world[body].center();
                             passed = passed || at.y < heightAt(points, at.x) - Real(0.1);
                         }
-                        EXPECT_LT(gained, Real(0.5)) << "of 18 J/kg at the start";
-                        // Rods may pass a bend of 1 rad with the solver of the thesis: tuning.md.
-                        EXPECT_TRUE(!passed ||
-                                    (turn >= 1 && solver == support::Solver::Propagation &&
-                                     std::string_view(rider.name) == "rod"));
+                        EXPECT_LT(gained, turn > 1 ? 1 : Real(0.5)) << "of 18 J/kg at the start";
+                        // A vertex may pierce a rod that tumbles over it: tuning.md.
+                        const bool tumbles = turn >= 1 && std::string_view(rider.name) == "rod";
+                        EXPECT_FALSE(passed && !tumbles);
+                        tumbling += tumbles ? 1 : 0;
+                        pierced += passed && tumbles ? 1 : 0;
                     }
                 }
             }
         }
     }
+    EXPECT_LE(pierced, tumbling / 16);
 }
 
 // An outline that crosses itself has no outside. A two-sided loop needs none.
