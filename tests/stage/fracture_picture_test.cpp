@@ -279,7 +279,7 @@ TEST(Closeup, IsASetting) {
 
 // What is drawn over the picture, as by F3, needs its closeup and its game.
 TEST(Closeup, OfTheStageIsThatOfThePicture) {
-    StageDef def = botIn("card_house"); // ends with a collapse
+    StageDef def = botIn("tower"); // ends with a collapse
     def.profile.settings.zoom = 100;
     StageRig rig(std::move(def));
     Real most = 1;

@@ -51,7 +51,7 @@ bool isLow(const GameState& game) {
     for (const Block& block : game.blocks) {
         left = block.counts() ? add(left, game.frameOf(block).position.y) : left;
     }
-    return left <= kDownShare * full;
+    return left <= kLowShare * full;
 }
 
 /// The lowest block that is to be cleared; blocks.size(): none.
@@ -151,11 +151,20 @@ bool GameState::isCarried(const Block& block) const {
 
 /// Breaks what is left of a building that is down, block by block.
 void crumble(GameState& game) {
-    if (!game.counts.isDown()) {
-        const bool quiet = game.tick - game.collapse.lastTick > kDownTicks;
-        if (quiet && game.counts.hits > 0 && isBuilding(*game.level) && isLow(game)) {
-            game.counts.downTick = game.tick;
-        }
+    Counts& counts = game.counts;
+    if (counts.lowTick == 0) {
+        const bool quiet = game.tick - game.collapse.lastTick > kLowTicks;
+        const bool low = quiet && counts.hits > 0 && isBuilding(*game.level) && isLow(game);
+        counts.lowTick = low ? game.tick : 0;
+    } else if (!counts.isDown()) {
+        const auto returned = [](const Event& event) {
+            const auto* struck = std::get_if<Struck>(&event);
+            return struck != nullptr && struck->what == Role::Paddle;
+        };
+        const bool down = std::any_of(game.events.begin(), game.events.end(), returned);
+        counts.downTick = down ? game.tick : 0;
+    }
+    if (!counts.isDown()) {
         return;
     }
     const std::size_t lowest = lowestLeft(game);

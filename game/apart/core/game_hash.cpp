@@ -109,6 +109,7 @@ std::uint64_t GameState::hash() const {
         sum.add(number);
     }
     sum.add(counts.serves);
+    sum.add(counts.lowTick);
     sum.add(counts.downTick);
     sum.add(counts.hitTick);
     sum.add(static_cast<std::uint64_t>(carriers.size()));

@@ -32,7 +32,8 @@ struct Counts {
     std::int32_t hits = 0;      // of balls on the paddle; a serve is one
     std::uint32_t hitTick = 0;  // of the last hit
     std::int32_t fullPrize = 0; // points of a game won with one hit
-    std::uint32_t downTick = 0; // at which the building was down; 0: it is not
+    std::uint32_t lowTick = 0;  // since which the building is low; 0: it is not
+    std::uint32_t downTick = 0; // at which a ball was returned since; 0: none was
 
     /// A ball touched the paddle, or was served, at a tick.
     void hit(std::uint32_t tick);

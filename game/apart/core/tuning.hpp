@@ -152,11 +152,11 @@ inline constexpr std::uint32_t kCollapseGap = 120; // 1 s without another block 
 inline constexpr std::int32_t kLeastCollapse = 3;  // blocks; a smaller collapse is no event
 inline constexpr std::uint32_t kTouchTicks = 12;   // 0.1 s: then contacts tell what carries a block
 inline constexpr Real kLandingSpeed = Real(1.5); // m/s, of a fallen block against what it lands on
-// A building is down once nothing has fallen for a while and the heights of its blocks that are
-// left, above the lowest one, add up to this share of the sum at the start. The rest crumbles, the
-// lowest block first.
-inline constexpr Real kDownShare = Real(0.25);
-inline constexpr std::uint32_t kDownTicks = 60;   // 0.5 s
+// A building is low once nothing has fallen for a while and the heights of its blocks that are
+// left, above the lowest one, add up to this share of the sum at the start. The next ball that the
+// paddle returns makes the rest crumble, the lowest block first.
+inline constexpr Real kLowShare = Real(0.25);
+inline constexpr std::uint32_t kLowTicks = 60;    // 0.5 s
 inline constexpr std::uint32_t kCrumbleTicks = 6; // from one block to the next
 
 // Force field of the paddle: acceleration towards or away from it, linear in the distance.

@@ -66,8 +66,9 @@ void Juice::tick(const Game& game) {
     now_ = game.ticks();
     age();
     take(game, game.events());
-    if (game.counts().isDown() && game.counts().downTick == now_) {
-        say(game, {"it is down", {0, Real(16.4)}, palette::kAccent, Real(1.1)});
+    const Counts& counts = game.counts();
+    if (counts.lowTick > 0 && counts.lowTick == now_) {
+        say(game, {"return the ball: it is down", {0, Real(16.4)}, palette::kAccent, Real(0.8)});
     }
     followBalls(game);
     for (const Part& part : game.parts()) {
