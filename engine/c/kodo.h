@@ -369,6 +369,27 @@ static inline kodo_Shape kodo_capsule(kodo_Vec2 from, kodo_Vec2 to, kodo_Real ra
     return shape;
 }
 
+// Polygons from points (m).
+
+/// The corners of the smallest convex polygon around points in any order.
+KODO_C_API kodo_Status kodo_convexHull(const kodo_Vec2* points, size_t pointCount,
+                                       kodo_Vec2* corners, size_t capacity, size_t* count);
+
+/// Convex polygons in memory of the caller: their corners one after the other, and how many each
+/// has. What has no room is counted alone.
+typedef struct kodo_Polygons {
+    kodo_Vec2* corners; // may be null with cornerCapacity 0
+    size_t cornerCapacity;
+    size_t cornerCount; // written: of all polygons
+    size_t* sizes;      // may be null with capacity 0
+    size_t capacity;
+    size_t count; // written: number of polygons
+} kodo_Polygons;
+
+/// Divides a concave outline, in either direction, into convex polygons: the parts of a compound.
+KODO_C_API kodo_Status kodo_decompose(const kodo_Vec2* outline, size_t pointCount,
+                                      kodo_Polygons* polygons);
+
 // Settings of a World.
 
 typedef int32_t kodo_SolverKind;

@@ -39,7 +39,15 @@ COMPILERS = (
     ("clang++", "c++2b"),
     ("x86_64-w64-mingw32-g++-posix", "c++20"),
 )
-
+# Each must accept kodo.h.
+C_COMPILERS = (
+    ("gcc", "c11"),
+    ("gcc", "c2x"),
+    ("clang", "c11"),
+    ("x86_64-w64-mingw32-gcc-posix", "c11"),
+    ("g++", "c++11"),
+    ("clang++", "c++20"),
+)
 
 # Definitions that leave fields out.
 PARTIAL = """
@@ -246,6 +254,21 @@ def check_warnings(include):
             run(compiler, *flags, *definitions, source)
 
 
+def check_c_warnings(include):
+    """kodo.h and drop_c.c compile without warnings as C, and kodo.h as C++."""
+    (work / "header.cpp").write_text("#include <kodo.h>\n")
+    for compiler, standard in C_COMPILERS:
+        if shutil.which(compiler) is None:
+            print(f"{compiler} is missing: kodo.h is not compiled with it.")
+            continue
+        in_cpp = standard.startswith("c++")
+        source = work / "header.cpp" if in_cpp else CONSUMER / "drop_c.c"
+        warnings = [flag for flag in WARNINGS if in_cpp or flag != "-Wold-style-cast"]
+        flags = (f"-std={standard}", "-fsyntax-only", f"-I{include}", *warnings)
+        for definitions in PRECISIONS.values():
+            run(compiler, *flags, *definitions, source)
+
+
 def check_macros(include):
     """The macros min and max of windows.h change no header."""
     headers = sorted(include.glob("kodo/*.hpp"))
@@ -315,6 +338,7 @@ def install():
     check_find_package(prefix, sfml)
     check_pkg_config(prefix, sfml)
     check_warnings(prefix / "include")
+    check_c_warnings(prefix / "include")
     check_macros(prefix / "include")
     for library in prefix.glob("lib/libkodo*.a"):
         check_position_independent(library)

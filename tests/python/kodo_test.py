@@ -103,6 +103,14 @@ class Bodies(unittest.TestCase):
         )
         self.assertEqual([0, 1, 2], [part.material.static_friction for part in chain.parts])
 
+    def test_outlines_become_polygons(self):
+        corner = ((0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2))
+        self.assertEqual(5, len(kodo.convex_hull(corner).corners))
+        world = kodo.World()
+        self.assertAlmostEqual(3, world.add(kodo.decompose(corner)).area, places=5)
+        with self.assertRaises(kodo.BadDefinition):
+            kodo.decompose(((0, 0), (1, 1), (1, 0), (0, 1)))
+
     def test_weld_and_unweld_keep_the_mass(self):
         world, (box, other, _) = falling_boxes()
         self.assertEqual(1, box.weld(other))

@@ -62,6 +62,9 @@ auto listFromC(std::span<const C> items) {
     return list;
 }
 
+inline std::size_t toC(std::size_t size) {
+    return size;
+}
 inline kodo_Vec2 toC(kodo::Vec2 v) {
     return {v.x, v.y};
 }

@@ -18,6 +18,7 @@ from .body import Body
 from .errors import (BadBodyId, BadDefinition, BadSnapshot, KodoError, NoMemory, OtherError,
                      WrongUse)
 from .fields import Attractor, Buoyancy, Drag, FieldBody, FieldForce, Gravity, OwnField, Wind
+from .geometry import convex_hull, decompose
 from .joints import (BrokenJoint, DistanceJoint, FixedJoint, MotorJoint, MouseJoint,
                      PrismaticJoint, RevoluteJoint)
 from .records import CollisionRecord, QueryHit, QueryPoint, RecordPoint, StepStats
@@ -94,6 +95,8 @@ __all__ = [
     "WrongUse",
     "accurate",
     "balanced",
+    "convex_hull",
+    "decompose",
     "fast",
     "thesis2006",
     "with_friction",

@@ -139,6 +139,17 @@ class Shape(ctypes.Structure):
     _fields_ = [("kind", c_int32), ("shapes", _Shapes)]
 
 
+class Polygons(ctypes.Structure):
+    _fields_ = [
+        ("corners", POINTER(Vec2)),
+        ("cornerCapacity", c_size_t),
+        ("cornerCount", c_size_t),
+        ("sizes", POINTER(c_size_t)),
+        ("capacity", c_size_t),
+        ("count", c_size_t),
+    ]
+
+
 class SoftSettings(ctypes.Structure):
     _fields_ = [
         ("substeps", c_int32),
