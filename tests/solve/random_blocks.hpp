@@ -103,7 +103,6 @@ struct RandomBlocks {
             pass.settings.kept = substep == 0 ? Real(0) : Real(1);
             passes.warmStart(pass);
             passes.solve(pass);
-            passes.relaxNormal(pass);
             passes.relax(pass);
         }
         passes.advance(

@@ -81,7 +81,6 @@ public:
         pushPoints(true);
         roll();
     }
-    void settle() { pushPoints(false); }
     void relax(bool friction) {
         pushTogether();
         if (friction) {
@@ -244,7 +243,6 @@ TEST(ContactPasses, AgreeWithSequentialImpulses) {
     const ContactPasses& passes = ContactPasses::best();
     compare(passes.warmStart, true, [](InTurn& contact) { contact.warmStart(); });
     compare(passes.solve, true, [](InTurn& contact) { contact.solve(); });
-    compare(passes.relaxNormal, true, [](InTurn& contact) { contact.settle(); });
     compare(passes.relax, true, [](InTurn& contact) { contact.relax(true); });
     compare(passes.relax, false, [](InTurn& contact) { contact.relax(false); });
 }

@@ -32,6 +32,8 @@ public:
     ContactLane lane(std::uint32_t slot) { return lanes_.lane(slot, summaries_[slot]); }
     /// m, of the first point.
     Real separation(std::uint32_t slot) const { return lanes_.separation(slot, summaries_[slot]); }
+    /// See ContactLanes::expired().
+    bool expired(std::uint32_t slot) const { return lanes_.expired(slot, summaries_[slot]); }
     Real approachSpeed(std::uint32_t slot) const {
         return lanes_.approachSpeed(slot, summaries_[slot]);
     }

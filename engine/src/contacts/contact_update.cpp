@@ -82,12 +82,14 @@ void replaceManifold(Contact& contact, const ContactLane& lane, const Manifold& 
     }
     std::array<int, 2> former = matchFeatures(manifold, old);
     matchPlaces(manifold, old, near, former);
-    const std::array<Real, 2> before{lane.impulse(0), lane.impulse(1)};
-    for (std::size_t i = 0; i < before.size(); ++i) {
-        lane.impulse(i) =
-            former[i] == kNoPoint ? Real(0) : before[static_cast<std::size_t>(former[i])];
-        lane.impact(i) = lane.largest(i) = 0;
-    }
+    const auto carry = [&](Real& first, Real& second) {
+        const Real before[] = {first, second};
+        first = former[0] == kNoPoint ? Real(0) : before[former[0]];
+        second = former[1] == kNoPoint ? Real(0) : before[former[1]];
+    };
+    carry(lane.impulse(0), lane.impulse(1));
+    carry(lane.impact(0), lane.impact(1));
+    carry(lane.largest(0), lane.largest(1));
     contact.manifold = manifold;
     if (manifold.count == 0) {
         lane.stopSliding();

@@ -28,11 +28,6 @@ constexpr std::size_t kCandidatesPerPiece = 64;
 /// out, a stopped pair may overlap by a rounding error.
 constexpr Real kStopShort = sizeof(Real) == 4 ? Real(1) / 1024 : Real(1) / 65536;
 
-/// Separation (m) of a pair without a sensor.
-Real gapOf(const ContactStore& store, std::uint32_t slot, const Tolerances& tolerances) {
-    return store.summaries()[slot].meets ? store.separation(slot) : tolerances.margin;
-}
-
 /// Separation (m) at which to stop a pair that has the separation `gap` and approaches by `motion`
 /// (m). No value if the pair needs no continuous collision: it cannot come that close within the
 /// step, or the overlap would do no harm.
@@ -112,7 +107,7 @@ bool closes(const Bodies& bodies, const ContactSet& contactSet, std::uint32_t sl
     const Mover a{summary.bodyA, extentA.rotationReach};
     const Mover b{summary.bodyB, extentB.rotationReach};
     const Real motion = relativeMotion(bodies, a, b);
-    const Real gap = gapOf(contactSet.store(), slot, tolerances);
+    const Real gap = gapOf(bodies, contactSet, slot, tolerances);
     if (motion < gap || (motion <= far && !summary.bounces)) {
         return false;
     }
@@ -289,7 +284,7 @@ void ContinuousCollision::findTime(const Step& step, std::uint32_t i, Real from)
                                  timeToJointedLine(step, contact, *target))
                       : Real(1);
     };
-    const Real gap = gapOf(step.contactSet.store(), i, step.tolerances);
+    const Real gap = gapOf(step.bodies, step.contactSet, i, step.tolerances);
     Real& time = times_[i];
     time = timeFrom(gap);
     if (time >= 1) {

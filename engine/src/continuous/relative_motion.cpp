@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "continuous/relative_motion.hpp"
 
+#include <kodo/geometry.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -50,6 +52,21 @@ Real relativeMotion(const Bodies& bodies, const Mover& moverA, const Mover& move
     return std::min(stopA, stopB) * length(b.deltaPosition - a.deltaPosition) + alone +
            stopA * std::abs(a.deltaAngle) * rotationReachA +
            stopB * std::abs(b.deltaAngle) * rotationReachB;
+}
+
+Real gapOf(const Bodies& bodies, const ContactSet& contactSet, std::uint32_t slot,
+           const Tolerances& tolerances) {
+    const ContactStore& store = contactSet.store();
+    if (!store.summaries()[slot].meets) {
+        return tolerances.margin;
+    }
+    if (!store.expired(slot)) {
+        return store.separation(slot);
+    }
+    const auto& [bodyA, partA, bodyB, partB] = contactSet.contacts()[slot].key;
+    return separation(bodies.convex(bodyA, partA), bodies.pose[bodyA], bodies.convex(bodyB, partB),
+                      bodies.pose[bodyB])
+        .distance;
 }
 
 } // namespace KODO_PRECISION

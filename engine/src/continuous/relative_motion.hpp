@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bodies/bodies.hpp"
+#include "contacts/contact_set.hpp"
 
 namespace kodo {
 inline namespace KODO_PRECISION {
@@ -16,6 +17,10 @@ struct Mover {
 /// Bound (m) of the motion of two shapes towards each other within the step. It is small for bodies
 /// that move together.
 Real relativeMotion(const Bodies& bodies, const Mover& moverA, const Mover& moverB);
+
+/// Separation (m) at the start of the step of a pair without a sensor.
+Real gapOf(const Bodies& bodies, const ContactSet& contactSet, std::uint32_t slot,
+           const Tolerances& tolerances);
 
 } // namespace KODO_PRECISION
 } // namespace kodo

@@ -5,6 +5,7 @@
 #include "math/softness.hpp"
 
 #include <cstdint>
+#include <limits>
 
 #include "lanes/contact.hpp"
 
@@ -89,8 +90,11 @@ struct PassSettings {
     Softness onLocked;
     Real invH;
     bool friction;
-    Real kept;     // factor of the sums so far: 0 in the first substep, else 1
-    Real left = 1; // substeps of the step that are left, with this one
+    Real kept;          // factor of the sums so far: 0 in the first substep, else 1
+    Real left = 1;      // substeps of the step that are left, with this one
+    Real pushSpeed = 0; // m/s, of contacts that do not share it in a crowd
+    /// m/s, separating speed above which such a contact carries nothing.
+    Real thrown = std::numeric_limits<Real>::max();
 };
 
 /// One pass over `count` blocks in the order of `order`. `motion` is indexed by body.
@@ -125,9 +129,7 @@ struct ContactPasses {
     const char* name; // for tests
     Pass warmStart;   // applies the accumulated impulses
     Pass solve;       // biased: separates overlaps as soft contacts
-    Pass
-        relaxNormal; // without bias, normal impulses only: removes the velocity that the bias added
-    Pass relax;      // without bias, with friction if enabled; adds up the sums of the step
+    Pass relax;       // without bias, with friction if enabled; adds up the sums of the step
     Advance advance;
 
     static const ContactPasses& baseline();

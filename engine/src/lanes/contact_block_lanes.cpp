@@ -42,7 +42,6 @@ void writePoint(ContactBlock::Point& point, std::size_t lane, const PointValues&
     point.leverA[lane] = values.leverA;
     point.leverB[lane] = values.leverB;
     point.mass[lane] = values.mass;
-    point.largest[lane] = 0;
 }
 
 } // namespace
@@ -87,7 +86,6 @@ void fillLane(ContactBlock& block, std::size_t lane, const Bodies& bodies, const
                                                                 : contact.material.staticFriction;
     block.kineticFriction[lane] = contact.material.kineticFriction;
     block.pushSpeed[lane] = rules.pushSpeed;
-    block.total[lane] = 0;
 }
 
 void fillLane(RollingBlock& rolling, ContactBlock& block, std::size_t lane, const Bodies& bodies,

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "lanes/block_bins.hpp"
@@ -46,6 +47,9 @@ public:
             manifold.points[i].separation = separation(i);
         }
     }
+    /// The next step finds the manifold again.
+    void expire() const { relativeDisplacement() = kExpired; }
+    static constexpr Real kExpired = std::numeric_limits<Real>::max() / 4; // m
     /// Removes what warm starts the next step.
     void clearImpulses() const {
         impulse(0) = impulse(1) = 0;
@@ -114,6 +118,12 @@ public:
     }
     Real approachSpeed(std::uint32_t slot, const ContactSummary& summary) const {
         return homeOf(slot, summary).approachSpeed[homeLane(slot, summary)];
+    }
+    /// True for a manifold that was found within the step, or whose bodies were stopped: its
+    /// separations are not those at the start of the step.
+    bool expired(std::uint32_t slot, const ContactSummary& summary) const {
+        return homeOf(slot, summary).relativeDisplacement[homeLane(slot, summary)] >=
+               ContactLane::kExpired;
     }
     /// m; of a contact in the passes.
     const Real& relativeDisplacement(std::uint32_t row) const {

@@ -44,9 +44,8 @@ KODO_LANES_INLINE void spin(Pair& pair, const Turning& line, Lanes impulse) {
 }
 
 enum class Task {
-    Solve,       // biased: separates overlaps
-    RelaxNormal, // without bias, normal impulses only
-    Relax,       // without bias, with friction; adds up the sums of the step
+    Solve, // biased: separates overlaps
+    Relax, // without bias, with friction; adds up the sums of the step
 };
 
 /// Values shared by all contacts of a block.
@@ -58,12 +57,37 @@ struct Rules {
     Copies& copies;
 };
 
+/// Bodies, and how an impulse at a point turns them.
+struct Turned {
+    const Pair& pair;
+    const Turning& line;
+};
+
 /// State of one point of each contact before the impulses of this visit.
 struct Approach {
     Lanes gap;       // m; < 0: overlap
     Lanes speed;     // m/s, along the normal; < 0: approach
     Lanes pushSpeed; // m/s, largest separating speed
 };
+
+/// What the impulse of a point loses besides, where it separates (N s). The warm start repeats the
+/// blow of a heavy body, and the effective mass m of a light one below would end that in many
+/// passes alone. With the mass m_h of the heavier body, it ends in one:
+///
+///   (m_h - m) (v_n - thrown),  v_n > thrown
+///
+/// In a crowd, where contacts share the push speed, it is 0.
+KODO_LANES_INLINE Lanes staleImpulse(const Turned& turned, const Approach& approach, Lanes mass,
+                                     const PassSettings& settings) {
+    const auto& [pair, line] = turned;
+    const Lanes givesA = pair.a.w + line.a * line.leverA; // 1/kg
+    const Lanes givesB = pair.b.w + line.b * line.leverB;
+    const Lanes less = smaller(givesA, givesB);
+    const Lanes least = less > Lanes{} ? less : larger(givesA, givesB); // not of a locked body
+    const Lanes heavier = least > Lanes{} ? larger(all(1) / least - mass, Lanes{}) : Lanes{};
+    const Lanes excess = larger(approach.speed - all(settings.thrown), Lanes{});
+    return approach.pushSpeed < all(settings.pushSpeed) ? Lanes{} : heavier * excess;
+}
 
 /// Unclamped impulse of one point of each contact:
 ///
@@ -78,7 +102,8 @@ struct Approach {
 /// have stored it.
 template <Task task>
 KODO_LANES_INLINE Unclamped unclampedAt(const ContactBlock::Point& point, int at,
-                                        const Approach& approach, const Rules& rules) {
+                                        const Approach& approach, const Turned& turned,
+                                        const Rules& rules) {
     const Lanes impulse = load(point.impulse + at);
     const Lanes mass = load(point.mass + at);
     const Lanes close = approach.gap * all(rules.settings.invH);
@@ -88,9 +113,20 @@ KODO_LANES_INLINE Unclamped unclampedAt(const ContactBlock::Point& point, int at
             larger(larger(all(rules.biasRate) * approach.gap, close), -approach.pushSpeed);
         const Lanes scale = approach.gap > Lanes{} ? all(1) : all(rules.massScale);
         const Lanes scaled = scale * mass;
-        return {(scale * impulse - scaled * bias) - scaled * approach.speed, scaled};
+        const bool stale = anyAbove(approach.speed, rules.settings.thrown);
+        const Lanes wanted = (scale * impulse - scaled * bias) - scaled * approach.speed;
+        return {stale ? wanted - staleImpulse(turned, approach, mass, rules.settings) : wanted,
+                scaled};
     } else {
         return {(impulse - mass * larger(close, Lanes{})) - mass * approach.speed, mass};
+    }
+}
+
+/// The relax pass adds up the normal impulses of the step (N s).
+template <Task task>
+KODO_LANES_INLINE void addTotal(ContactBlock& block, int at, Lanes sum, Real kept) {
+    if constexpr (task == Task::Relax) {
+        store(block.total + at, kept * load(block.total + at) + sum);
     }
 }
 
@@ -139,7 +175,6 @@ KODO_LANES_INLINE Pair gatherPair(const ContactBlock& block, int at, BodyVelocit
 template <Task task, int points, bool isShared, bool unlike>
 KODO_LANES_INLINE void solveLanes(ContactBlock& block, const RollingBlock* rolling, int at,
                                   BodyVelocity* motion, const Rules& rules) {
-    const PassSettings& settings = rules.settings;
     const Lanes nx = load(block.normalX + at);
     const Lanes ny = load(block.normalY + at);
     const Quad moveA = gather(secondHalf(motion), block.a + at);
@@ -150,16 +185,18 @@ KODO_LANES_INLINE void solveLanes(ContactBlock& block, const RollingBlock* rolli
     const Turning line1 = turning(pair, point1.leverA + at, point1.leverB + at);
     const Turning line2 = turning(pair, point2.leverA + at, point2.leverB + at);
     const Turning tangent = turning(pair, block.tangentLeverA + at, block.tangentLeverB + at);
-    const Lanes moved = nx * (moveB.x - moveA.x) + ny * (moveB.y - moveA.y);
     const Lanes dx = pair.b.x - pair.a.x;
     const Lanes dy = pair.b.y - pair.a.y;
-    const auto approachAt = [&](const ContactBlock::Point& point, const Turning& line) {
-        return Approach{load(point.separation + at) + moved + speedOfTurns(line, moveA.z, moveB.z),
-                        (nx * dx + ny * dy) + speedOfTurns(line, pair.a.z, pair.b.z),
-                        load(block.pushSpeed + at)};
+    const auto wantedAt = [&](const ContactBlock::Point& point, const Turning& line) {
+        const Lanes gap = load(point.separation + at) +
+                          (nx * (moveB.x - moveA.x) + ny * (moveB.y - moveA.y)) +
+                          speedOfTurns(line, moveA.z, moveB.z);
+        const Lanes speed = (nx * dx + ny * dy) + speedOfTurns(line, pair.a.z, pair.b.z);
+        const Approach approach{gap, speed, load(block.pushSpeed + at)};
+        return unclampedAt<task>(point, at, approach, {pair, line}, rules);
     };
-    const Unclamped first = unclampedAt<task>(point1, at, approachAt(point1, line1), rules);
-    const Unclamped second = unclampedAt<task>(point2, at, approachAt(point2, line2), rules);
+    const Unclamped first = wantedAt(point1, line1);
+    const Unclamped second = wantedAt(point2, line2);
     const Lanes response12 = (pair.a.w + pair.b.w) + turnCoupling(line2, line1);
     const Lanes tangentMass = load(block.tangentMass + at);
     Lanes stick = load(block.friction + at) -
@@ -169,31 +206,29 @@ KODO_LANES_INLINE void solveLanes(ContactBlock& block, const RollingBlock* rolli
     const Together wanted = together < points == 2 && task == Task::Relax,
                    unlike > (block, at, first, second,
                              {response12, coupling1t, coupling2t, tangentMass, stick});
-    Lanes change = pushPoint<task>(point1, at, wanted.first, settings.kept);
+    Lanes change = pushPoint<task>(point1, at, wanted.first, rules.settings.kept);
     Lanes sum = load(point1.impulse + at);
     spin(pair, line1, change);
     stick -= coupling1t * change;
     if constexpr (points == 2) {
         const Lanes alone = second.impulse - second.mass * response12 * change;
         const Lanes next = unlike ? (wanted.sticks ? wanted.second : alone) : alone;
-        const Lanes more = pushPoint<task>(point2, at, next, settings.kept);
+        const Lanes more = pushPoint<task>(point2, at, next, rules.settings.kept);
         sum += load(point2.impulse + at);
         spin(pair, line2, more);
         stick -= coupling2t * more;
         change += more;
     }
     push(pair, nx, ny, change);
-    if (task == Task::Relax && settings.friction) {
-        const Lanes rubbed = applyFriction<unlike>(block, at, stick, sum, settings.left);
+    if (task == Task::Relax && rules.settings.friction) {
+        const Lanes rubbed = applyFriction<unlike>(block, at, stick, sum, rules.settings.left);
         push(pair, -ny, nx, rubbed);
         spin(pair, tangent, rubbed);
     }
-    if (task != Task::RelaxNormal && rolling != nullptr) {
+    if (rolling != nullptr) {
         solveRolling(*rolling, block, at, pair, sum);
     }
-    if constexpr (task == Task::Relax) {
-        store(block.total + at, settings.kept * load(block.total + at) + sum);
-    }
+    addTotal<task>(block, at, sum, rules.settings.kept);
     putBackPair<isShared>(pair, block, at, motion, rules.use, rules.copies);
 }
 
@@ -291,11 +326,7 @@ void warmStartBlocks(const ContactPassArguments& pass) {
 
 /// The passes of this instruction set.
 [[maybe_unused]] constexpr ContactPasses passesNamed(const char* name) {
-    return {name,
-            warmStartBlocks,
-            solveBlocks<Task::Solve>,
-            solveBlocks<Task::RelaxNormal>,
-            solveBlocks<Task::Relax>,
+    return {name, warmStartBlocks, solveBlocks<Task::Solve>, solveBlocks<Task::Relax>,
             advanceBlocks};
 }
 

@@ -45,6 +45,19 @@ KODO_LANES_INLINE Lanes smaller(Lanes a, Lanes b) {
     return a < b ? a : b;
 }
 
+/// True if any lane is above the limit.
+KODO_LANES_INLINE bool anyAbove(Lanes lanes, Real limit) {
+    using Words = std::uint64_t __attribute__((vector_size(kLaneBytes)));
+    const auto above = lanes > all(limit);
+    Words words;
+    std::memcpy(&words, &above, sizeof words);
+    std::uint64_t any = 0;
+    for (std::size_t i = 0; i < kLaneBytes / sizeof any; ++i) {
+        any |= words[i];
+    }
+    return any != 0;
+}
+
 /// Two numbers of each of kLanes structures.
 struct Couple {
     Lanes x;

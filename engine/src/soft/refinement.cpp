@@ -22,6 +22,12 @@ constexpr Real kLeastPress = Real(0.1);
 constexpr Real kLeaves = 36;
 // Contacts of a body that carry its weight as one does alone. The weight may be uneven.
 constexpr Real kCarriers = 4;
+// Share of the speed that arrives in a step which counts as a load.
+constexpr Real kArrival = Real(1) / 8;
+// Largest way of an approach in a substep, of the reach of its bodies: a blow turns them by about
+// three times as much (rad).
+constexpr Real kMostTurn = Real(1) / 4;
+constexpr Real kLeastArrival = 64; // slops per second, of an approach that counts
 
 /// Acceleration (m/s^2) that the spring of a contact has to carry, per mass of its lighter body, if
 /// the body presses on the other one; else 0.
@@ -85,12 +91,53 @@ Real loadOf(const Bodies& bodies, const JointDef& def, std::uint32_t body, Real 
 
 } // namespace
 
-/// Lists the bodies that press too hard on another one, with their levels.
-void Refinement::findSeeds(const Step& step) {
-    seeds_.clear();
+/// Lists a body of each contact that approaches too fast, with its level.
+void Refinement::findArrivals(const Step& step, Real most) {
     const Bodies& bodies = step.bodies;
-    const Real omega = 2 * std::numbers::pi_v<Real> * step.hertz;
-    const Real most = kMaxCompression * step.tolerances.slop * omega * omega; // m/s^2
+    const ContactStore& store = step.contactSet.store();
+    const Real fastest = step.contactSet.fastestApproach();
+    const Real press = kArrival / step.dt;                   // 1/s
+    const Real least = kLeastArrival * step.tolerances.slop; // m/s
+    if (!(fastest > least)) {
+        return;
+    }
+    for (const std::uint32_t slot : step.contactSet.live()) {
+        const ContactSummary& summary = step.contactSet.summaries()[slot];
+        const Real approach = store.approachSpeed(slot);
+        if (!(approach > least) || !summary.meets || summary.sensor ||
+            store.separation(slot) > approach * step.dt) {
+            continue;
+        }
+        const BodyVelocity& a = bodies.motion[summary.bodyA];
+        const BodyVelocity& b = bodies.motion[summary.bodyB];
+        const Real heavier = std::min(a.invMass, b.invMass);
+        const Real load =
+            heavier > 0 ? press * approach * (1 + std::max(a.invMass, b.invMass) / heavier) : 0;
+        const auto reachOf = [&](const BodyVelocity& motion, std::uint32_t body) { // if it is long
+            const auto& [reach, core] = bodies.extent[body];
+            return motion.invInertia > 0 && reach > 2 * core ? reach : Real(0);
+        };
+        const Real reach = std::max(reachOf(a, summary.bodyA), reachOf(b, summary.bodyB));
+        const Real turn = reach > 0 ? approach * step.h / (kMostTurn * reach) : 0;
+        addSeed(a.locked() ? summary.bodyB : summary.bodyA, std::max(load / most, turn * turn));
+    }
+}
+
+/// Lists a body whose load is `excess` times as large as that of level 0 may be.
+void Refinement::addSeed(std::uint32_t body, Real excess) {
+    std::uint8_t level = 0;
+    while (level + 1u < kLevels && excess > static_cast<Real>(1 << 2 * level)) {
+        ++level;
+    }
+    if (level > 0) {
+        seeds_.emplace_back(level, body);
+    }
+}
+
+/// Lists the bodies that press too hard on another one, with their levels. `most`: acceleration
+/// (m/s^2) that level 0 carries.
+void Refinement::findSeeds(const Step& step, Real most) {
+    const Bodies& bodies = step.bodies;
     const LoadRange& loads = bodies.loads;
     // An upper bound of any load, so that the result does not depend on the lightest body of the
     // World. A joint counts twice, see loadOf().
@@ -122,13 +169,7 @@ void Refinement::findSeeds(const Step& step) {
         step.joints.visitOf(body, [&](const JointSet::Joint& joint) {
             load = std::max(load, loadOf(bodies, joint.def, body, step.tolerances.slop));
         });
-        std::uint8_t level = 0;
-        while (level + 1u < kLevels && load > most * static_cast<Real>(1 << 2 * level)) {
-            ++level;
-        }
-        if (level > 0) {
-            seeds_.emplace_back(level, body);
-        }
+        addSeed(body, load / most);
     }
 }
 
@@ -185,7 +226,11 @@ bool Refinement::find(const Step& step) {
         levelsThen_.push_back(levels_[body]);
         levels_[body] = 0;
     }
-    findSeeds(step);
+    const Real omega = 2 * std::numbers::pi_v<Real> * step.hertz;
+    const Real most = kMaxCompression * step.tolerances.slop * omega * omega; // m/s^2
+    seeds_.clear();
+    findSeeds(step, most);
+    findArrivals(step, most);
     if (!seeds_.empty()) {
         listJoints(step);
         std::sort(seeds_.begin(), seeds_.end(), std::greater<>()); // total order: bodies are unique

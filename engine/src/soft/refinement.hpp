@@ -38,6 +38,8 @@ public:
         const StepSettings& settings;
         const Tolerances& tolerances;
         Real hertz; // of contacts in a whole substep
+        Real dt;    // s
+        Real h;     // s, of a whole substep
     };
     /// Sizes the array by body.
     void makeRoom(const Bodies& bodies) { resizeByBody(levels_, bodies); }
@@ -56,7 +58,9 @@ public:
 private:
     using Joined = std::pair<std::uint32_t, std::uint32_t>;
 
-    void findSeeds(const Step& step);
+    void findArrivals(const Step& step, Real most);
+    void findSeeds(const Step& step, Real most);
+    void addSeed(std::uint32_t body, Real excess);
     void spread(const Step& step, std::uint32_t body, std::uint8_t level);
     void listJoints(const Step& step);
 

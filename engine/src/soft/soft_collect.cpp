@@ -53,7 +53,7 @@ bool isLeaving(const Bodies& bodies, const Contact& contact, const ContactLane& 
 
 /// Clears the marks of all bodies, then marks those with joints.
 void SoftSolver::clearMarks(const Bodies& bodies, const JointSet& joints) {
-    anyDeep_ = anyCrowded_ = 0;
+    anyCrowded_ = 0;
     if (kMany * bodies.awake.size() > bodies.size()) {
         std::fill(overlapCount_.begin(), overlapCount_.end(), std::uint16_t{0});
         std::fill(near_.begin(), near_.end(), std::uint8_t{0});
@@ -167,9 +167,6 @@ void SoftSolver::markExposure(const Collecting& run, std::uint32_t place, bool l
     WorkerTeam::mark(marks[summary.bodyB]);
     if (separation < -4 * slop) {
         countOverlap(bodies, summary, team);
-    }
-    if (separation < OverlapRelaxation::deepBelow(slop)) {
-        WorkerTeam::mark(anyDeep_);
     }
 }
 

@@ -17,6 +17,9 @@ constexpr Real kMostCycles = Real(0.21);
 constexpr Real kMostJointCycles = Real(0.25);
 // With 0, rows of ten springs of 1,000 Hz gain energy; with 4 or 8 they gain none.
 constexpr int kSpringPasses = 4;
+// Separating speed, in slops per second, above which a contact carries nothing. With 36, columns of
+// 1 : 300 that a weight lands on give way.
+constexpr Real kCarriesNothing = 64;
 
 } // namespace
 
@@ -27,8 +30,8 @@ void SoftSolver::makeRoom(const Bodies& bodies) {
     resizeByBody(overlapCount_, bodies);
     resizeByBody(before_, bodies);
     refinement_.makeRoom(bodies);
+    manifoldRefresh_.makeRoom(bodies);
     loadRelease_.makeRoom(bodies);
-    groups_[0].overlapRelaxation.makeRoom(bodies);
 }
 
 /// Lists the bodies of joints that RevoluteBlocks does not solve, each once.
@@ -154,7 +157,8 @@ void SoftSolver::solveHeld(Bodies& bodies, ContactSet& contactSet, JointSet& joi
     const SoftSettings& soft = std::get<SoftSettings>(settings.solver);
     const Real hertz =
         std::min(soft.contactHertz, kMostCycles * static_cast<Real>(soft.substeps) / dt);
-    if (refinement_.find({bodies, contactSet, joints, settings, tolerances, hertz})) {
+    if (refinement_.find({bodies, contactSet, joints, settings, tolerances, hertz, dt,
+                          dt / static_cast<Real>(soft.substeps)})) {
         refine(bodies, contactSet);
     }
     collect(bodies, contactSet, joints, step);
@@ -171,6 +175,7 @@ void SoftSolver::solveHeld(Bodies& bodies, ContactSet& contactSet, JointSet& joi
                      soft.pushSpeed * tolerances.slop * Tolerances::kSlopsPerUnit);
     moveFree(bodies, dt);
     visits_ = 0;
+    manifoldRefresh_.begin(dt);
     for (std::uint32_t level = 0; level < Refinement::kLevels; ++level) {
         if (!groups_[level].bound.empty()) {
             solveGroup(bodies, contactSet, joints, step, level);
@@ -188,24 +193,11 @@ void SoftSolver::solveGroup(Bodies& bodies, ContactSet& contactSet, JointSet& jo
                             const Step& step, std::uint32_t level) {
     const auto& [settings, tolerances, dt, team] = step;
     const SoftSettings& soft = std::get<SoftSettings>(settings.solver);
-    Group& group = groups_[level];
     ContactBlocks& blocks = contactSet.lanes();
     const int parts = 1 << level;
     const int substeps = parts * soft.substeps;
     const Real h = dt / static_cast<Real>(soft.substeps) / static_cast<Real>(parts);
     const Real hertz = std::min(soft.contactHertz * static_cast<Real>(parts), kMostCycles / h);
-    const ContactPassArguments pass =
-        blocks.pass(bodies, level,
-                    {Softness::from(hertz, soft.contactDamping, h),
-                     Softness::from(2 * hertz, soft.contactDamping, h), 1 / h,
-                     settings.has(Feature::Friction), 1});
-    if (anyDeep_ != 0) {
-        group.overlapRelaxation.find({pass, blocks.passOrder().colours(level),
-                                      OverlapRelaxation::deepBelow(tolerances.slop),
-                                      overlapCount_});
-    } else {
-        group.overlapRelaxation.clear();
-    }
     const Real jointHertz =
         std::min(soft.jointHertz * static_cast<Real>(parts), kMostJointCycles / h);
     JointPass jointPass{h, Softness::from(jointHertz, soft.jointDamping, h)};
@@ -220,20 +212,99 @@ void SoftSolver::solveGroup(Bodies& bodies, ContactSet& contactSet, JointSet& jo
     WorkerTeam serial;
     const bool helped =
         blocks.worthPartitioning(level) && blocks.partitions().count() == team.partitions();
-    const Real pushSpeed = soft.pushSpeed * tolerances.slop * Tolerances::kSlopsPerUnit;
-    Substeps run{bodies,     contactSet, joints,
-                 group,      pass,       jointPass,
-                 tolerances, pushSpeed,  helped ? team : serial};
-    if (!run.team.alone()) {
-        group.partitions.buildGraph(
-            {blocks, level, pass, contactSet.summaries(), newcomers_, group.bound, bodies.size()},
-            run.team);
-    }
+    Substeps run{bodies,
+                 contactSet,
+                 joints,
+                 step,
+                 level,
+                 {},
+                 jointPass,
+                 soft.pushSpeed * tolerances.slop * Tolerances::kSlopsPerUnit,
+                 helped ? team : serial};
+    run.pass.settings = {Softness::from(hertz, soft.contactDamping, h),
+                         Softness::from(2 * hertz, soft.contactDamping, h), 1 / h,
+                         settings.has(Feature::Friction), 1};
+    run.pass.settings.pushSpeed = run.pushSpeed;
+    run.pass.settings.thrown = kCarriesNothing * tolerances.slop;
+    preparePasses(run);
     runSubsteps(run, substeps);
     revolutes_.end(joints);
     joints.scaleImpulses(static_cast<Real>(parts));
-    visits_ += (2 * blocks.size(level) + group.overlapRelaxation.visits()) *
-               static_cast<std::size_t>(substeps);
+    visits_ += (2 * blocks.size(level)) * static_cast<std::size_t>(substeps);
+}
+
+/// Gathers the blocks of a group for its passes, after lanes have changed.
+void SoftSolver::preparePasses(Substeps& run) {
+    Group& group = groups_[run.level];
+    ContactBlocks& blocks = run.contactSet.lanes();
+    run.pass = blocks.pass(run.bodies, run.level, run.pass.settings);
+    if (!run.team.alone()) {
+        group.partitions.buildGraph({blocks, run.level, run.pass, run.contactSet.summaries(),
+                                     newcomers_, group.bound, run.bodies.size()},
+                                    run.team);
+    }
+}
+
+/// Before the passes of a substep: contacts get new manifolds and lanes where their bodies have
+/// turned too far. Impulses that a warm start has applied act along the new manifold.
+void SoftSolver::refreshManifolds(Substeps& run, bool first) {
+    if (!run.team.alone()) {
+        runPhases(run);
+    }
+    Bodies& bodies = run.bodies;
+    ContactStore& store = run.contactSet.store();
+    const Tolerances& tolerances = run.step.tolerances;
+    const ManifoldRefresh::Step step{bodies, run.contactSet, tolerances, run.step.dt,
+                                     run.jointPass.h};
+    const bool restitution = run.step.settings.has(Feature::Restitution);
+    const auto isSolved = [&](std::uint32_t body) {
+        return bodies.isStill(body) ||
+               (bodies.active(body) && exposure_[body] != ContactExposure::Free &&
+                (bodies.locked(body) || refinement_.levelOf(body) == run.level));
+    };
+    const std::span<const std::uint32_t> slots =
+        manifoldRefresh_.list(step, groups_[run.level].bound, first, [&](const ContactSummary& s) {
+            return isSolved(s.bodyA) && isSolved(s.bodyB) &&
+                   (!(s.bounces && restitution) || s.inPasses());
+        });
+    if (slots.empty()) {
+        return;
+    }
+    if (!first) {
+        for (const std::uint32_t slot : slots) {
+            ManifoldRefresh::apply(step, slot, -1);
+        }
+    }
+    newcomers_.clear();
+    if (store.lanes().singles() > 0) { // their lanes depend on one another
+        for (const std::uint32_t slot : run.contactSet.live()) {
+            const ContactRow& row = store.summaries()[slot].row;
+            if (row.index != ContactRow::kNone && row.colour == ContactRow::kNoColour) {
+                store.lanes().drop(store.entry(slot));
+                newcomers_.push_back(slot);
+            }
+        }
+    }
+    for (const std::uint32_t slot : slots) {
+        store.lanes().drop(store.entry(slot));
+        ManifoldRefresh::find(step, slot);
+        if (store.contacts()[slot].responds()) {
+            newcomers_.push_back(slot);
+        }
+    }
+    store.sortByKey(newcomers_); // colours depend on the order
+    newcomers_.erase(std::unique(newcomers_.begin(), newcomers_.end()), newcomers_.end());
+    store.lanes().arrange(bodies, store.all(), newcomers_,
+                          anyCrowded_ != 0 ? std::span<const std::uint16_t>(overlapCount_)
+                                           : std::span<const std::uint16_t>(),
+                          run.pushSpeed);
+    for (const std::uint32_t slot : slots) {
+        store.summaries()[slot].kept = false;
+        if (!first) {
+            ManifoldRefresh::apply(step, slot, 1);
+        }
+    }
+    preparePasses(run);
 }
 
 } // namespace KODO_PRECISION

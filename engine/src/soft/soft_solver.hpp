@@ -16,7 +16,7 @@
 #include "lanes/block_partitions.hpp"
 #include "lanes/contact_blocks.hpp"
 #include "soft/load_release.hpp"
-#include "soft/overlap_relaxation.hpp"
+#include "soft/manifold_refresh.hpp"
 #include "soft/refinement.hpp"
 #include "soft/revolute_blocks.hpp"
 
@@ -60,17 +60,16 @@ private:
         std::vector<std::uint32_t>
             bound; // awake bodies with contacts or joints, and kinematic ones
         BlockPartitions partitions;
-        OverlapRelaxation overlapRelaxation;
     };
     /// Inputs of all substeps of a group.
     struct Substeps {
         Bodies& bodies;
         ContactSet& contactSet;
         JointSet& joints;
-        Group& group;
-        const ContactPassArguments& pass;
+        const Step& step;
+        std::uint32_t level;
+        ContactPassArguments pass;
         JointPass& jointPass;
-        const Tolerances& tolerances;
         Real pushSpeed; // m/s
         WorkerTeam& team;
     };
@@ -117,7 +116,8 @@ private:
     void passJoints(Substeps& run, Pass pass);
     void runSubsteps(Substeps& run, int substeps);
     void runSubstep(Substeps& run, int substep, int substeps);
-    void relaxDeepOverlaps(Substeps& run);
+    void preparePasses(Substeps& run);
+    void refreshManifolds(Substeps& run, bool first);
     void releaseLoads(Substeps& run);
     void beginVelocities(Bodies& bodies, std::span<const std::uint32_t> list, Real h);
     void nextVelocities(Bodies& bodies, std::span<const std::uint32_t> list, Real h);
@@ -129,6 +129,7 @@ private:
     std::array<Group, Refinement::kLevels> groups_; // by level
     RevoluteBlocks revolutes_;
     LoadRelease loadRelease_;
+    ManifoldRefresh manifoldRefresh_;
     std::vector<Phase> phases_;            // queued for the worker team
     std::vector<std::uint32_t> newcomers_; // indices of contacts that need a lane
     ParallelCollector<std::uint32_t> found_;
@@ -137,7 +138,6 @@ private:
     std::vector<std::uint8_t> touched_;
     std::vector<std::uint16_t> overlapCount_; // by body: number of overlaps beyond four slops
     std::uint8_t anyCrowded_ = 0;             // some body has too many of these
-    std::uint8_t anyDeep_ = 0;                // some overlap needs OverlapRelaxation
     std::size_t visits_ = 0;
     std::vector<Velocity> before_;    // by body: with the forces of the substep, without contacts
     std::vector<std::uint32_t> free_; // bodies without contacts and joints in this step

@@ -15,6 +15,7 @@ void SoftSolver::beginVelocities(Bodies& bodies, std::span<const std::uint32_t> 
     integrateVelocities(bodies, list, h);
     for (const std::uint32_t i : list) {
         before_[i].speeds = speeds(bodies.motion[i]);
+        manifoldRefresh_.note(bodies.motion[i].angularVelocity);
     }
 }
 
@@ -28,6 +29,7 @@ void SoftSolver::nextVelocities(Bodies& bodies, std::span<const std::uint32_t> l
         const Four gained = speed - before;
         before = speed + time * rates(bodies.acceleration[i]);
         speed = before + gained;
+        manifoldRefresh_.note(speed[2]);
     }
 }
 
@@ -45,7 +47,7 @@ void SoftSolver::addPhase(Substeps& run, const Phase& phase) {
             pass.settings = phase.settings;
             phase.pass(pass);
         } else {
-            (this->*phase.work)(run.bodies, run.group.bound, run.jointPass.h);
+            (this->*phase.work)(run.bodies, groups_[run.level].bound, run.jointPass.h);
         }
         return;
     }
@@ -59,7 +61,7 @@ void SoftSolver::addPhase(Substeps& run, const Phase& phase) {
 /// inner blocks. Work on the bodies of a partition takes an even phase: all border impulses must
 /// precede it.
 void SoftSolver::runPhases(Substeps& run) {
-    const BlockPartitions& partitions = run.group.partitions;
+    const BlockPartitions& partitions = groups_[run.level].partitions;
     std::uint32_t phases = 0;
     for (Phase& phase : phases_) {
         phase.firstPhase = phases;
@@ -81,7 +83,8 @@ void SoftSolver::runPhases(Substeps& run) {
         } else if (even) {
             const auto [first, count] = partitions.bodies(partition);
             (this->*phase.work)(
-                run.bodies, std::span<const std::uint32_t>(run.group.bound).subspan(first, count),
+                run.bodies,
+                std::span<const std::uint32_t>(groups_[run.level].bound).subspan(first, count),
                 run.jointPass.h);
         }
     });
@@ -104,23 +107,14 @@ void SoftSolver::passJoints(Substeps& run, Pass pass) {
     }
 }
 
-/// Relax passes for deep overlaps. They are few as a rule, so the calling thread runs them alone.
-void SoftSolver::relaxDeepOverlaps(Substeps& run) {
-    if (!run.group.overlapRelaxation.empty()) {
-        runPhases(run);
-        run.group.overlapRelaxation.takeBackPushes(run.pass, run.jointPass.h, run.pushSpeed);
-        run.group.overlapRelaxation.run(run.pass);
-    }
-}
-
 /// After the warm start: releases impulses that carried a load which is gone.
 void SoftSolver::releaseLoads(Substeps& run) {
     if (!run.team.alone()) {
         runPhases(run);
     }
     loadRelease_.run(
-        {run.bodies, run.contactSet, run.joints, run.contactSet.lanes(), run.tolerances},
-        run.group.bound, before_, run.jointPass.h);
+        {run.bodies, run.contactSet, run.joints, run.contactSet.lanes(), run.step.tolerances},
+        groups_[run.level].bound, before_, run.jointPass.h);
 }
 
 /// Joint arms rotate within a step, so joints warm start with their own impulses in each substep.
@@ -142,6 +136,7 @@ void SoftSolver::runSubstep(Substeps& run, int substep, int substeps) {
         fromJoints_[k] = {};
     }
     addPhase(run, {.work = first ? &SoftSolver::beginVelocities : &SoftSolver::nextVelocities});
+    refreshManifolds(run, first);
     passJoints(run, [&] { joints.warmStart(bodies, jointPass); });
     if (first) {
         revolutes_.warmStart(bodies, jointPass);
@@ -157,15 +152,10 @@ void SoftSolver::runSubstep(Substeps& run, int substep, int substeps) {
         revolutes_.solve(bodies, jointPass);
     };
     solveJoints(true);
-    if (!run.group.overlapRelaxation.empty()) {
-        runPhases(run);
-        run.group.overlapRelaxation.notePushes(run.pass);
-    }
     addPhase(run, {passes.solve, settings});
     addPhase(run, {.work = &SoftSolver::move});
     revolutes_.rotate(bodies);
     solveJoints(false);
-    relaxDeepOverlaps(run);
     PassSettings relax = settings;
     relax.kept = first ? Real(0) : Real(1);
     relax.left = static_cast<Real>(substeps - substep);

@@ -152,8 +152,7 @@ void WorldStep::runContinuous() {
     if (!contacts_.contacts().empty()) {
         continuous_.run(bodies_, contacts_, joints_, {settings_, tolerances_, dt_}, team_);
         for (const std::uint32_t slot : continuous_.stoppedAtLines()) {
-            const ContactLane lane = contacts_.store().lane(slot);
-            lane.relativeDisplacement() = std::numeric_limits<Real>::max() / 4; // find it again
+            contacts_.store().lane(slot).expire();
         }
     }
 }

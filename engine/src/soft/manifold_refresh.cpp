@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include "soft/manifold_refresh.hpp"
+
+#include "contacts/contact_update.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+namespace {
+
+constexpr Real kLargestWay = Real(0.125); // of the core radius, that needs no look
+constexpr Real kLeastWay = 2;             // slops, likewise
+constexpr Real kDeepest = Real(0.5);      // of the core radius: overlap of a useful manifold
+
+/// Way (m) of a part of a body of this core radius that needs no look.
+Real allowedWay(Real coreRadius, Real slop) {
+    return std::max(kLargestWay * coreRadius, kLeastWay * slop);
+}
+
+/// Bound (m) of the way of two bodies against each other in a substep, also after a blow: that
+/// turns the speed of the middle into one of up to twice as much at an end.
+Real wayOf(const Bodies& bodies, const ContactSummary& summary, Real h) {
+    const BodyVelocity& a = bodies.motion[summary.bodyA];
+    const BodyVelocity& b = bodies.motion[summary.bodyB];
+    return h * (2 * length(b.velocity - a.velocity) +
+                std::abs(a.angularVelocity) * bodies.extent[summary.bodyA].rotationReach +
+                std::abs(b.angularVelocity) * bodies.extent[summary.bodyB].rotationReach);
+}
+
+/// A body at its present pose, until the end of the scope.
+class Moved {
+public:
+    Moved(Bodies& bodies, std::uint32_t body) : pose_(&bodies.pose[body]), start_(*pose_) {
+        const BodyVelocity& motion = bodies.motion[body];
+        pose_->position += motion.deltaPosition;
+        pose_->rotation = turned(pose_->rotation, motion.deltaAngle);
+    }
+    ~Moved() { *pose_ = start_; }
+    Moved(const Moved&) = delete;
+    Moved& operator=(const Moved&) = delete;
+
+private:
+    Transform* pose_;
+    Transform start_;
+};
+
+} // namespace
+
+void ManifoldRefresh::findTurned(const Step& step, std::span<const std::uint32_t> bodies,
+                                 bool first) {
+    if (first) {
+        for (const std::uint32_t body : bodies) {
+            turned_[body] = 0;
+        }
+    }
+    if (std::exchange(anySpins_, std::uint8_t{0}) == 0) {
+        return;
+    }
+    const ContactStore& store = step.contactSet.store();
+    for (const std::uint32_t body : bodies) {
+        const BodyVelocity& motion = step.bodies.motion[body];
+        if (!(std::abs(motion.angularVelocity) > spin_)) {
+            continue;
+        }
+        const Extent& extent = step.bodies.extent[body];
+        const Real turn =
+            first ? step.h * motion.angularVelocity : motion.deltaAngle - turned_[body];
+        if (std::abs(turn) * extent.rotationReach >
+            allowedWay(extent.coreRadius, step.tolerances.slop)) {
+            turned_[body] = motion.deltaAngle;
+            store.lists().forEach(body, [&](std::uint32_t slot) {
+                const Contact& contact = store.contacts()[slot];
+                if (contact.near && !contact.sensor && !contact.hidden) {
+                    slots_.push_back(slot);
+                }
+            });
+        }
+    }
+}
+
+/// Lists the contacts that approach by too much in a substep.
+void ManifoldRefresh::findFast(const Step& step) {
+    ContactSet& contactSet = step.contactSet;
+    const Real slop = step.tolerances.slop;
+    if (!(contactSet.fastestApproach() * step.h > kLeastWay * slop)) {
+        return;
+    }
+    for (const std::uint32_t slot : contactSet.live()) {
+        const ContactSummary& summary = contactSet.summaries()[slot];
+        const Real core = std::min(step.bodies.extent[summary.bodyA].coreRadius,
+                                   step.bodies.extent[summary.bodyB].coreRadius);
+        if (summary.meets && !summary.sensor && !contactSet.contacts()[slot].hidden &&
+            contactSet.store().approachSpeed(slot) * step.h > allowedWay(core, slop)) {
+            slots_.push_back(slot);
+        }
+    }
+}
+
+void ManifoldRefresh::find(const Step& step, std::uint32_t slot) {
+    auto& [bodies, contactSet, tolerances, dt, h] = step;
+    const ContactEntry entry = contactSet.store().entry(slot);
+    Contact& contact = entry.contact;
+    const ContactLane lane = contactSet.store().lane(slot);
+    if (std::exchange(entry.summary.kept, false)) { // not visited in this step
+        contact.centerA = bodies.start[entry.summary.bodyA];
+    }
+    const Contact old = contact;
+    const ContactNumbers numbers = lane.numbers();
+    const BodyVelocity& a = bodies.motion[entry.summary.bodyA];
+    const BodyVelocity& b = bodies.motion[entry.summary.bodyB];
+    const Moved movedA(bodies, entry.summary.bodyA);
+    const Moved movedB(bodies, entry.summary.bodyB);
+    Tolerances wider = tolerances;
+    wider.margin += wayOf(bodies, entry.summary, h);
+    findContact(contact, lane, bodies, wider, dt);
+    const Real core = std::min(bodies.extent[entry.summary.bodyA].coreRadius,
+                               bodies.extent[entry.summary.bodyB].coreRadius);
+    const std::array<Real, 2> found = separationsOf(contact.manifold);
+    const Real deepest = found[contact.manifold.count == 2 && found[1] < found[0] ? 1 : 0];
+    const bool passed =
+        old.manifold.count > 0 &&
+        (deepest < -kDeepest * core || dot(contact.manifold.normal, old.manifold.normal) < 0);
+    if (contact.manifold.count == 0 || passed) {
+        contact = old; // with its record, and to the side from which the bodies came
+        lane = numbers;
+        return;
+    }
+    contact.centerA = bodies.pose[entry.summary.bodyA].position;
+    const Vec2 n = contact.manifold.normal;
+    const Real moved = dot(n, b.deltaPosition - a.deltaPosition);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
+        const ManifoldPoint& p = contact.manifold.points[i];
+        lane.separation(i) -=
+            moved + (leverOf(p.armB, n) * b.deltaAngle - leverOf(p.armA, n) * a.deltaAngle);
+    }
+    lane.expire();
+    entry.summary.meets = true;
+}
+
+void ManifoldRefresh::apply(const Step& step, std::uint32_t slot, Real times) {
+    const ContactSummary& summary = step.contactSet.summaries()[slot];
+    if (!summary.inPasses()) {
+        return;
+    }
+    const auto [block, k] = step.contactSet.lanes().placeOf(summary.row.index);
+    const Vec2 n{block.normalX[k], block.normalY[k]};
+    const std::array<Real, 2> normal{times * block.points[0].impulse[k],
+                                     times * block.points[1].impulse[k]};
+    const Real friction = times * block.friction[k];
+    const Vec2 impulse = (normal[0] + normal[1]) * n + friction * perp(n);
+    const auto give = [&](std::uint32_t body, Real sign, Real lever1, Real lever2, Real tangent) {
+        BodyVelocity& motion = step.bodies.motion[body];
+        applyImpulse(motion, motion.invMass, sign * impulse, motion.invInertia,
+                     sign * (lever1 * normal[0] + lever2 * normal[1] + tangent * friction +
+                             times * block.rolling[k]));
+    };
+    give(summary.bodyA, -1, block.points[0].leverA[k], block.points[1].leverA[k],
+         block.tangentLeverA[k]);
+    give(summary.bodyB, 1, block.points[0].leverB[k], block.points[1].leverB[k],
+         block.tangentLeverB[k]);
+}
+
+} // namespace KODO_PRECISION
+} // namespace kodo

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "bodies/bodies.hpp"
+#include "contacts/contact_set.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <vector>
+
+namespace kodo {
+inline namespace KODO_PRECISION {
+
+/// Finds manifolds again within the step. A blow may turn a body so far that its next corner comes
+/// down before the step ends; contact points that were found when the step began do not hold it.
+///
+/// Before a substep, the contacts of a body are found again at the present poses once it has turned
+/// by a quarter of its core radius at its farthest point since its last look. So are contacts that
+/// approach so fast that one substep closes as much. The margin of such a manifold covers the way
+/// of the substep, since the blow turns what comes next. Impulses stay with their features.
+///
+/// A contact depends on its own two bodies alone. A step without fast bodies costs a comparison per
+/// body and substep.
+class ManifoldRefresh {
+public:
+    struct Step {
+        Bodies& bodies;
+        ContactSet& contactSet;
+        const Tolerances& tolerances;
+        Real dt; // s, of the step
+        Real h;  // s, of the substep
+    };
+    /// Sizes the arrays by body.
+    void makeRoom(const Bodies& bodies) { resizeByBody(turned_, bodies); }
+    /// Before the first substep of a step of dt (s).
+    void begin(Real dt) { spin_ = kLeastTurn / dt; }
+    /// For each body with its angular velocity (rad/s), in each substep. On any thread.
+    void note(Real angularVelocity) {
+        if (std::abs(angularVelocity) > spin_) {
+            WorkerTeam::mark(anySpins_);
+        }
+    }
+    /// Lists the contacts to be found again before a substep. `list`: the bodies that are solved;
+    /// `isSolved(summary)` is true for a contact that may have a row among them.
+    template <typename IsSolved>
+    std::span<const std::uint32_t> list(const Step& step, std::span<const std::uint32_t> bodies,
+                                        bool first, IsSolved isSolved) {
+        slots_.clear();
+        findTurned(step, bodies, first);
+        if (first) {
+            findFast(step);
+        }
+        std::erase_if(slots_, [&](std::uint32_t slot) {
+            const ContactSummary& summary = step.contactSet.summaries()[slot];
+            const Real thicker = std::max(step.bodies.extent[summary.bodyA].coreRadius,
+                                          step.bodies.extent[summary.bodyB].coreRadius);
+            return thicker < step.tolerances.slop || !isSolved(summary); // thin: no inside
+        });
+        step.contactSet.store().sortByKey(slots_);
+        slots_.erase(std::unique(slots_.begin(), slots_.end()), slots_.end());
+        return slots_;
+    }
+    /// Finds the manifold of a contact that is not in the passes at the present poses. Its
+    /// separations become those from which the displacements so far lead to the present ones.
+    static void find(const Step& step, std::uint32_t slot);
+    /// Applies the impulses of a contact in the passes to its bodies, `times` 1 or -1.
+    static void apply(const Step& step, std::uint32_t slot, Real times);
+
+private:
+    static constexpr Real kLeastTurn = Real(1) / 64; // rad, in a step
+    void findTurned(const Step& step, std::span<const std::uint32_t> bodies, bool first);
+    void findFast(const Step& step);
+
+    std::vector<Real> turned_; // by body: rad, deltaAngle at the last look
+    std::vector<std::uint32_t> slots_;
+    Real spin_ = 0; // rad/s, below which a body cannot turn far enough
+    std::uint8_t anySpins_ = 0;
+};
+
+} // namespace KODO_PRECISION
+} // namespace kodo

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// F1 to F4: what happens within a step after the first blow of it.
+#include <kodo/world.hpp>
+#include <support/draws.hpp>
+#include <support/random_numbers.hpp>
+#include <support/scenes.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace kodo {
+namespace {
+
+using support::draws;
+using support::RandomNumbers;
+
+constexpr Real kRates[] = {30, 60, 120, 240}; // Hz
+
+/// Lowest height (in sides) of the middle of a crate that is thrown at a floor at height 0.
+Real lowestOf(BodyDef crate, Real side, Real rate, bool beside) {
+    World world({.gravity = support::kEarth});
+    world.add(
+        {.shape = Box{2000, 2, {0, -1}}, .material = crate.material, .type = BodyType::Static});
+    crate.shape = Box{side, side};
+    if (beside) { // another one that lies where it was
+        world.add({.shape = crate.shape, .position = {crate.position.x + side, side / 2}});
+    }
+    const BodyId body = world.add(crate);
+    Real lowest = 1;
+    for (int step = 0; step < static_cast<int>(3 * rate); ++step) {
+        world.step(1 / rate);
+        lowest = std::min(lowest, world[body].position().y / side);
+    }
+    return lowest;
+}
+
+// F1: the blow at one corner turns the crate, and the next corner comes down within the same step.
+// An overlap of 15 % of the side is that of a crate which comes flat, in the step of its landing.
+TEST(ManifoldRefresh, ThrownCratesDoNotSinkIntoTheFloor) {
+    for (const Real rate : kRates) {
+        RandomNumbers random(7);
+        for (int i = 0; i < draws(400); ++i) {
+            BodyDef crate;
+            const Real side = random.between(0.3, 1);
+            const Real speed = random.between(0, 15);
+            const Rot direction = Rot::fromAngle(random.between(-3.14, 3.14));
+            crate.velocity = direction * Vec2{speed, 0};
+            crate.angularVelocity = random.between(-8, 8);
+            crate.rotation = Rot::fromAngle(random.between(0, 6.28));
+            crate.position = {0, random.between(1, 8)};
+            crate.material = withFriction(random.between(0, 1), 0);
+            EXPECT_GT(lowestOf(crate, side, rate, i % 2 == 1), Real(0.33)) << rate << " Hz, " << i;
+        }
+    }
+}
+
+// F1, the throw that was reported: its middle never comes below 0.17 m.
+TEST(ManifoldRefresh, AReportedCrateStaysAboveTheFloor) {
+    BodyDef crate;
+    crate.position = {0, Real(7.868)};
+    crate.velocity = {Real(-10.82), Real(-10.911)};
+    crate.angularVelocity = Real(-5.495);
+    crate.rotation = Rot::fromAngle(Real(1.387));
+    crate.material = withFriction(Real(0.888), 0);
+    const Real side = Real(0.3504);
+    EXPECT_GT(side * lowestOf(crate, side, 30, false), Real(0.17));
+}
+
+// F2: a rod whose tip has touched a wall turns about it by up to a radian in a step.
+TEST(ManifoldRefresh, RodsDoNotPassAWallThatTheirTipsTouch) {
+    for (const StepSettings& settings : {balanced(), fast(), accurate()}) {
+        for (const Real rate : kRates) {
+            for (const Real restitution : {Real(0), Real(0.2)}) {
+                for (const Real speed : {Real(30), Real(60), Real(100)}) {
+                    for (int i = 0; i < 60; ++i) {
+                        World world({.settings = settings});
+                        const Material material = withFriction(Real(0.3), restitution);
+                        world.add({.shape = Box{Real(0.2), 40},
+                                   .material = material,
+                                   .type = BodyType::Static});
+                        const Real angle = static_cast<Real>(i) * std::numbers::pi_v<Real> / 60;
+                        const BodyId rod = world.add({.shape = Box{2, Real(0.1)},
+                                                      .position = {-5, 0},
+                                                      .rotation = Rot::fromAngle(angle),
+                                                      .velocity = {speed, 0},
+                                                      .material = material});
+                        support::run(world, static_cast<int>(rate / 2), 1 / rate);
+                        ASSERT_LT(world[rod].position().x, 0)
+                            << rate << " Hz, " << speed << " m/s, e " << restitution << ", " << i;
+                    }
+                }
+            }
+        }
+    }
+}
+
+// F3: a weight without restitution that lands on a light plate stays down, at any ratio of masses.
+TEST(ManifoldRefresh, AWeightThatLandsOnALightPlateDoesNotRise) {
+    for (const Real rate : kRates) {
+        for (const Real ratio : {Real(2), Real(5), Real(20), Real(100), Real(200)}) {
+            for (const Real height : {Real(0.1), Real(0.5), Real(1)}) {
+                World world({.gravity = support::kEarth});
+                support::addFloor(world);
+                BodyDef plate = support::boxDef({0, Real(0.5)}, 1, 1);
+                plate.density = 1 / ratio;
+                world.add(plate);
+                const BodyId weight = world.add(support::boxDef({0, Real(1.5) + height}, 1, 1));
+                Real highest = 0;
+                bool landed = false;
+                for (int step = 0; step < static_cast<int>(2 * rate); ++step) {
+                    world.step(1 / rate);
+                    const Real above = world[weight].position().y - Real(1.5);
+                    landed = landed || above < Real(0.01);
+                    highest = landed ? std::max(highest, above) : highest;
+                }
+                EXPECT_LT(highest, Real(0.012)) << rate << " Hz, 1 : " << ratio << ", " << height;
+                EXPECT_NEAR(world[weight].position().y, Real(1.5), Real(0.05));
+            }
+        }
+    }
+}
+
+// F4: static columns hold up to 1 : 3000 with the defaults; what is crushed is not shot out.
+TEST(ManifoldRefresh, ColumnsHoldOrSinkAndShootNothing) {
+    for (const int boxes : {1, 2, 10}) {
+        for (const Real ratio : {Real(100), Real(1000), Real(3000), Real(10000), Real(30000)}) {
+            World world({.gravity = support::kEarth});
+            support::addFloor(world);
+            support::addStack(world, boxes);
+            BodyDef def = support::boxDef({0, Real(0.5) + static_cast<Real>(boxes)}, 1, 1);
+            def.density = ratio;
+            const BodyId weight = world.add(def);
+            const Real start = world[weight].position().y;
+            Real fastest = 0;
+            for (int step = 0; step < 300; ++step) {
+                world.step(support::kDt);
+                fastest = std::max(fastest, world[weight].velocity().y);
+            }
+            EXPECT_LT(fastest, 4) << boxes << ", 1 : " << ratio; // upwards
+            if (ratio <= 3000) {
+                EXPECT_NEAR(world[weight].position().y, start,
+                            Real(0.016) * static_cast<Real>(boxes));
+            }
+        }
+    }
+}
+
+} // namespace
+} // namespace kodo
