@@ -323,6 +323,18 @@ def check_unsafe(prefix):
                   f"{compiler} {flag} is accepted: {done.stderr}")
 
 
+def check_debug_containers(prefix):
+    """The linker refuses a program whose containers have other sizes, and names the reason."""
+    for precision, definitions in PRECISIONS.items():
+        library = prefix / f"lib/libkodo{precision}.a"
+        command = (given.compiler, "-std=c++20", "-D_GLIBCXX_DEBUG", *definitions)
+        command += (f"-I{prefix / 'include'}", CONSUMER / "drop.cpp", library, "-pthread")
+        command += ("-o", work / "debug containers")
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        check(done.returncode != 0 and "_glibcxx_debug::World" in done.stderr,
+              f"-D_GLIBCXX_DEBUG links libkodo{precision}.a: {done.stderr}")
+
+
 def install_moved(build, name):
     """The prefix of an installed engine that was moved, and whether it has kodo::sfml."""
     sfml = (build / "engine/sfml").is_dir()
@@ -344,6 +356,7 @@ def install():
         check_position_independent(library)
     check_fused(prefix)
     check_unsafe(prefix)
+    check_debug_containers(prefix)
     check_old_standard(prefix / "include")
     check_unknown_component(prefix)
     check_documents(prefix)

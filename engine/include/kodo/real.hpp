@@ -19,9 +19,15 @@
 #endif
 
 // kodo::kodo computes in float, kodo::kodo64 in double, from the same sources. Each has an inline
-// namespace of its own, so one program can link both, from different source files.
-#ifdef KODO_DOUBLE
+// namespace of its own, so one program can link both, from different source files. With
+// -D_GLIBCXX_DEBUG containers have other sizes, so that the linker must refuse a library that was
+// built without it: its name then says why.
+#if defined(KODO_DOUBLE) && defined(_GLIBCXX_DEBUG)
+#define KODO_PRECISION f64_glibcxx_debug
+#elif defined(KODO_DOUBLE)
 #define KODO_PRECISION f64
+#elif defined(_GLIBCXX_DEBUG)
+#define KODO_PRECISION f32_glibcxx_debug
 #else
 #define KODO_PRECISION f32
 #endif
