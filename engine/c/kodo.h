@@ -9,9 +9,8 @@
 ///   units       SI: metres, kilograms, seconds, radians. Density in kg/m^2, impulse in N s.
 ///   axes        x to the right, y up. Angles counter-clockwise.
 ///   frames      position is the origin of the shape's frame. Velocities are of the centre of mass.
-///   status      each call returns KODO_OK or an error, and kodo_errorText() a sentence. Nothing
-///   has
-///               changed after an error, unless the comment of the call says so.
+///   status      each call returns KODO_OK or an error, and kodo_errorText() a sentence. After an
+///               error nothing has changed, unless the comment of the call says so.
 ///   pointers    a null pointer is refused, unless the comment of the call permits it.
 ///   definitions a struct that begins with `head` is made by the function named after it, such as
 ///               kodo_bodyDef(), which sets the defaults of C++. Its size and version are checked.

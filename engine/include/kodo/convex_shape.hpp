@@ -68,10 +68,10 @@ private:
 
 /// Kinds of convex shapes.
 enum class ConvexKind : std::uint8_t {
-    Round, // circle or particle: one vertex and a radius >= 0
-    Sided, // box, polygon, capsule or thick segment: two vertices or more, two with a radius > 0
-    Line,  // segment without thickness: two vertices
-    Half,  // plane: one vertex on the surface
+    Round,     // circle or particle: one vertex and a radius >= 0
+    Polygonal, // box, polygon, capsule, thick segment: two vertices or more; radius > 0 if two
+    Line,      // segment without thickness: two vertices
+    HalfPlane, // plane: one vertex on the surface
 };
 
 /// The form in which the engine stores each primitive: a core, the hull of vertices in a local
@@ -86,7 +86,7 @@ struct ConvexShape {
     using Points = SmallVector<Vec2, kFew>;
 
     Points vertices;         // m
-    Points normals;          // unit; none for Round, one for Half
+    Points normals;          // unit; none for Round, one for HalfPlane
     Real radius = 0;         // m
     Real boundingRadius = 0; // m; largest distance of a point from the origin of the frame
     Real coreRadius = 0;     // m; of a disc that fits inside, about `middle`: half the thickness
@@ -106,7 +106,7 @@ struct ConvexShape {
     Real rotationReach() const { return isRound() && vertices[0] == Vec2{} ? 0 : boundingRadius; }
     bool isRound() const { return kind == ConvexKind::Round; }
     bool isLine() const { return kind == ConvexKind::Line; }
-    bool isPlane() const { return kind == ConvexKind::Half; }
+    bool isPlane() const { return kind == ConvexKind::HalfPlane; }
 };
 
 /// The convex shape of a valid primitive, relative to `origin` (m, in the primitive's frame).

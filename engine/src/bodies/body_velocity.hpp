@@ -62,7 +62,7 @@ struct Acceleration {
     Real angular = 0; // rad/s^2
     /// m/s^2: sum of the magnitudes of all forces per mass, including forces that cancel out.
     /// Finite, so that 0 times it is 0.
-    Real effort = 0;
+    Real forcePerMass = 0;
 };
 
 /// Ranges of mass and acceleration over the awake bodies.
@@ -95,7 +95,7 @@ inline Four& moves(BodyVelocity& motion) {
 inline const Four& moves(const BodyVelocity& motion) {
     return reinterpret_cast<const Four&>(motion.deltaPosition);
 }
-/// Acceleration x, y, angular acceleration, effort.
+/// Acceleration x, y, angular acceleration, forcePerMass.
 inline const Four& rates(const Acceleration& acceleration) {
     static_assert(sizeof(Acceleration) == sizeof(Four));
     return reinterpret_cast<const Four&>(acceleration);

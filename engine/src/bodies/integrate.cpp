@@ -21,12 +21,12 @@ Acceleration accelerationOf(const Bodies& bodies, std::uint32_t i,
         return {};
     }
     FieldForce push{record.force, record.torque};
-    Real effort = length(push.force);
+    Real forces = length(push.force);
     for (const FieldEntry& entry : fields) {
         if (accepts(entry.which, bodies.filter[i].flags)) {
             const FieldForce more = entry.field->at({bodies, bodies.idAt(i)}, dt);
             push.force += more.force;
-            effort += length(more.force);
+            forces += length(more.force);
             push.torque += more.torque;
             push.drag += more.drag;
             push.spinDrag += more.spinDrag;
@@ -34,7 +34,7 @@ Acceleration accelerationOf(const Bodies& bodies, std::uint32_t i,
     }
     return {motion.invMass / (1 + dt * push.drag * motion.invMass) * push.force,
             motion.invInertia / (1 + dt * push.spinDrag * motion.invInertia) * push.torque,
-            std::min(std::numeric_limits<Real>::max(), motion.invMass * effort)}; // also for NaN
+            std::min(std::numeric_limits<Real>::max(), motion.invMass * forces)}; // also for NaN
 }
 
 /// movePoses() for kLanes bodies, bit-identical.

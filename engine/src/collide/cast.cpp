@@ -22,7 +22,7 @@ Hit rayAgainst(const ConvexShape& shape, const Ray& ray) {
     switch (shape.kind) {
     case ConvexKind::Round:
         return rayCast(Circle{shape.radius, shape.vertices[0]}, ray);
-    case ConvexKind::Sided:
+    case ConvexKind::Polygonal:
         if (shape.radius == 0) {
             return rayCast(corners, ray);
         }
@@ -30,7 +30,7 @@ Hit rayAgainst(const ConvexShape& shape, const Ray& ray) {
                                                       : rayCastOutline(corners, shape.radius, ray);
     case ConvexKind::Line:
         return rayCast(segmentOf(shape), ray);
-    case ConvexKind::Half:
+    case ConvexKind::HalfPlane:
         break;
     }
     const Vec2 normal = shape.normals[0];

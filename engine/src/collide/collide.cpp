@@ -174,8 +174,8 @@ Manifold collideAhead(const ConvexShape& shapeA, const Transform& a, const Conve
     if (shapeA.isRound() && shapeB.isRound()) {
         return collideRound(shapeA, a, shapeB, b, limits.margin);
     }
-    const bool sidedA = shapeA.kind == ConvexKind::Sided;
-    const bool sidedB = shapeB.kind == ConvexKind::Sided;
+    const bool sidedA = shapeA.kind == ConvexKind::Polygonal;
+    const bool sidedB = shapeB.kind == ConvexKind::Polygonal;
     if (!(sidedA || isPlain(shapeA)) || !(sidedB || isPlain(shapeB))) {
         return collideSpecial(shapeA, a, shapeB, b, limits);
     }

@@ -146,7 +146,7 @@ KODO_LANES_INLINE bool seeFaces(SeparationBoundLanes& separationBound, const Con
 }
 
 bool hasFaces(const ConvexShape& shape) {
-    return shape.kind == ConvexKind::Sided || shape.isLine();
+    return shape.kind == ConvexKind::Polygonal || shape.isLine();
 }
 
 /// True if a shape has corners, and no more than View stores.
@@ -175,7 +175,7 @@ SeparationBound separationBoundOf(const ConvexShape& shapeA, const Transform& a,
             seeFaces(aside, shapeB, viewOf(b, shapeA, a, reversed(path)), path)) {
             return aside.best();
         }
-        if (shapeA.kind == ConvexKind::Sided && shapeB.kind == ConvexKind::Sided &&
+        if (shapeA.kind == ConvexKind::Polygonal && shapeB.kind == ConvexKind::Polygonal &&
             shapeA.radius + shapeB.radius == 0) {
             return aside.best();
         }

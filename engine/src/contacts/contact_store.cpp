@@ -350,7 +350,7 @@ void ContactStore::renewSummary(std::uint32_t slot, const PartBounds& bounds) {
     const auto& [bodyA, partA, bodyB, partB] = contacts_[slot].key;
     ContactSummary& summary = summaries_[slot];
     summary.describe(contacts_[slot], {bounds.indexOf(bodyA, partA), bounds.indexOf(bodyB, partB)});
-    summary.idle = summary.steady = false;
+    summary.idle = summary.settled = false;
     summary.kept = summary.kept && contacts_[slot].responds();
 }
 

@@ -32,7 +32,7 @@ struct HidingStep {
         lane.setSeparations(manifold);
         measureApproach(contact, lane, bodies);
         store.summaries()[slot].idle = false;
-        store.summaries()[slot].meets = manifold.count > 0;
+        store.summaries()[slot].mayTouch = manifold.count > 0;
     }
 };
 

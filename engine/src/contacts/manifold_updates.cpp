@@ -99,7 +99,7 @@ private:
         // An End is still to be recorded, or was recorded and has to be reset.
         const bool ends = contact.wasTouching || contact.phase;
         summary.idle = !(contact.near | ends | contact.sensor);
-        summary.meets = contact.manifold.count > 0 || contact.sensor;
+        summary.mayTouch = contact.manifold.count > 0 || contact.sensor;
     }
 };
 
@@ -118,9 +118,9 @@ void listLive(std::span<const ContactSummary> summaries, std::size_t first, std:
 
 /// True if the summary agrees with the contact (assertion).
 [[maybe_unused]] bool agrees(const ContactSummary& summary, const Contact& contact) {
-    const bool meets = contact.manifold.count > 0 || contact.sensor;
-    return contact.sensor || (summary.meets == meets &&
-                              (!summary.steady || summary.wasTouching == contact.wasTouching));
+    const bool mayTouch = contact.manifold.count > 0 || contact.sensor;
+    return contact.sensor || (summary.mayTouch == mayTouch &&
+                              (!summary.settled || summary.wasTouching == contact.wasTouching));
 }
 
 } // namespace
@@ -143,7 +143,7 @@ void ContactSet::finishContact(std::uint32_t slot, bool touchesInRow, const Tole
                                      ? touchesInRow
                                      : touches(contact, store_.lane(slot), tolerances));
     summary.wasTouching = contact.touching;
-    summary.steady = !contact.phase || contact.phase == TouchPhase::Persist;
+    summary.settled = !contact.phase || contact.phase == TouchPhase::Persist;
     if (contact.touching != before) {
         toggled.push_back(slot);
         touchCounts_.count(team, summary, !before);
@@ -178,7 +178,7 @@ void ContactSet::leavePasses(const Bodies& bodies) {
 
 void ContactSet::manifoldChanged(std::uint32_t slot) {
     ContactSummary& summary = store_.summaries()[slot];
-    summary.meets = contacts()[slot].manifold.count > 0 || summary.sensor;
+    summary.mayTouch = contacts()[slot].manifold.count > 0 || summary.sensor;
     fastestApproach_ = std::max(fastestApproach_, store_.approachSpeed(slot));
 }
 
@@ -201,8 +201,8 @@ void ContactSet::finishStepOfContacts(const Bodies& bodies, const Tolerances& to
                 for (std::size_t i = from; i < to; ++i) {
                     const ContactSummary& summary = all[live_[i]];
                     KODO_ASSERT(agrees(summary, contacts()[live_[i]]));
-                    const bool hasNoRow = summary.meets & !summary.inPasses();
-                    visited.add(live_[i], hasNoRow | !summary.steady |
+                    const bool hasNoRow = summary.mayTouch & !summary.inPasses();
+                    visited.add(live_[i], hasNoRow | !summary.settled |
                                               (touches(summary) != summary.wasTouching));
                 }
                 visitPrefetched<1>(visited.list(), contacts(), [&](std::uint32_t slot) {

@@ -59,7 +59,7 @@ void ContinuousCollision::findPushes(const Step& step) {
     againstLocked_.clear();
     step.contactSet.store().forEachInOrder([&](std::uint32_t i) {
         const ContactSummary& summary = step.summaries[i];
-        if (summary.meets && !summary.bounces &&
+        if (summary.mayTouch && !summary.bounces &&
             step.bodies.locked(summary.bodyA) != step.bodies.locked(summary.bodyB) &&
             step.contacts[i].responds()) {
             againstLocked_.push_back(i);

@@ -57,7 +57,7 @@ Real relativeMotion(const Bodies& bodies, const Mover& moverA, const Mover& move
 Real gapOf(const Bodies& bodies, const ContactSet& contactSet, std::uint32_t slot,
            const Tolerances& tolerances) {
     const ContactStore& store = contactSet.store();
-    if (!store.summaries()[slot].meets) {
+    if (!store.summaries()[slot].mayTouch) {
         return tolerances.margin;
     }
     if (!store.expired(slot)) {

@@ -78,10 +78,10 @@ void applyFriction(const Impact& hit, std::size_t i, Real jn) {
     if (!(k > 0)) {
         return; // neither body gives way along the tangent
     }
-    const Real stick = -dot(t, hit.relativeVelocity(i)) / k;
+    const Real stopping = -dot(t, hit.relativeVelocity(i)) / k;
     const Material& material = hit.contact->material;
     const FrictionLimits<Real> limits{material.staticFriction, material.kineticFriction, jn, 1};
-    hit.push(i, 0, frictionImpulse(limits, stick).impulse);
+    hit.push(i, 0, frictionImpulse(limits, stopping).impulse);
 }
 
 void applyFrictionToBoth(const Impact& hit, Real j1, Real j2) {

@@ -85,9 +85,10 @@ bool SimultaneousImpacts::iterate(Real tolerance, int most) {
                 continue;
             }
             const Real sliding = dot(point.tangent, point.relativeVelocity());
-            const Real stick = point.friction - sliding * point.tangentialMass;
+            const Real stopping = point.friction - sliding * point.tangentialMass;
             const Real friction =
-                frictionImpulse<Real>({point.staticFriction, point.kineticFriction, next, 1}, stick)
+                frictionImpulse<Real>({point.staticFriction, point.kineticFriction, next, 1},
+                                      stopping)
                     .impulse;
             const Real change = friction - point.friction;
             if (change != 0) {

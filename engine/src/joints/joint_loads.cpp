@@ -62,7 +62,7 @@ void JointSet::boundBias(const ContactSet& contactSet, Real slop, Real pushSpeed
     if (lists_.allExclude()) {
         return; // no joint lets its bodies collide, nor is any left bounded: see setDef()
     }
-    for (const std::uint32_t index : busy_) {
+    for (const std::uint32_t index : awake_) {
         Joint& joint = joints_[index];
         joint.mostBias = Joint::kNoBound;
         if (const JointEnds* const ends = collidingEnds(joint.def)) {
@@ -76,7 +76,7 @@ void JointSet::boundBias(const ContactSet& contactSet, Real slop, Real pushSpeed
 
 std::span<const BrokenJoint> JointSet::endStep(Real dt) {
     broken_.clear();
-    for (const std::uint32_t index : busy_) {
+    for (const std::uint32_t index : awake_) {
         Joint& joint = joints_[index];
         if (!std::exchange(joint.solved, false)) {
             continue; // not solved in this step: the load stays

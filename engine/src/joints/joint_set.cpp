@@ -91,15 +91,15 @@ JointId JointSet::add(const JointDef& def) {
     joints_[slot.index] = {};
     joints_[slot.index].def = def;
     list(slot.index);
-    busyStale_ = true;
+    awakeStale_ = true;
     return idAt(slot.index);
 }
 
 void JointSet::remove(JointId id) {
     ids_.release(id.index);
-    eraseFrom(busy_, id.index);
+    eraseFrom(awake_, id.index);
     unlist(id.index);
-    busyStale_ = true;
+    awakeStale_ = true;
 }
 
 /// Adds a joint to the lists of its bodies.
@@ -126,7 +126,7 @@ void JointSet::setDef(JointId id, const JointDef& def) {
     joints_[id.index].def = def;
     joints_[id.index].mostBias = Joint::kNoBound;
     list(id.index);
-    busyStale_ = true;
+    awakeStale_ = true;
 }
 
 void JointSet::dropBody(std::uint32_t body) {
@@ -156,7 +156,7 @@ void JointSet::transfer(BodyId part, BodyId into, const Transform& place) {
             remove(idAt(index));
         }
     }
-    busyStale_ = true;
+    awakeStale_ = true;
 }
 
 std::vector<JointId> JointSet::ids() const {
@@ -178,39 +178,39 @@ void JointSet::refreshLists() {
         const JointDef& def = joints_[index].def;
         lists_.add(index, firstBody(def).index, secondBody(def).index, excludesContact(def));
     }
-    std::erase_if(busy_, [&](std::uint32_t index) { return !ids_.aliveAt(index); });
-    busyStale_ = true;
+    std::erase_if(awake_, [&](std::uint32_t index) { return !ids_.aliveAt(index); });
+    awakeStale_ = true;
 }
 
 void JointSet::findBusy(const Bodies& bodies, bool changed) {
-    if (!changed && !busyStale_) {
+    if (!changed && !awakeStale_) {
         return;
     }
-    busyStale_ = false;
+    awakeStale_ = false;
     listBusy(bodies);
 }
 
 /// Visits either all joints or those of the awake bodies, whichever are fewer.
 void JointSet::listBusy(const Bodies& bodies) {
     constexpr std::size_t kFew = 4; // times as many awake bodies as joints: walks all joints
-    busy_.clear();
+    awake_.clear();
     if (joints_.size() < kFew * bodies.awake.size()) {
         for (std::uint32_t index = 0; index < joints_.size(); ++index) {
             if (ids_.aliveAt(index) && !idle(bodies, joints_[index].def)) {
-                busy_.push_back(index);
+                awake_.push_back(index);
             }
         }
         return;
     }
     for (const std::uint32_t body : bodies.awake) {
-        lists_.forEach(body, [&](std::uint32_t index) { busy_.push_back(index); });
+        lists_.forEach(body, [&](std::uint32_t index) { awake_.push_back(index); });
     }
-    std::sort(busy_.begin(), busy_.end()); // total order: equal joints are identical
-    busy_.erase(std::unique(busy_.begin(), busy_.end()), busy_.end());
+    std::sort(awake_.begin(), awake_.end()); // total order: equal joints are identical
+    awake_.erase(std::unique(awake_.begin(), awake_.end()), awake_.end());
 }
 
 void JointSet::beginStep() {
-    for (const std::uint32_t index : busy_) {
+    for (const std::uint32_t index : awake_) {
         joints_[index].linearImpulseSum = {};
         joints_[index].angularImpulseSum = 0;
     }
@@ -241,7 +241,7 @@ void JointSet::beginGroup(Bodies& bodies, DirectSolve direct, std::span<const st
     takenRevolutes_.clear();
     treeCandidates_.clear();
     springs_.clear();
-    for (const std::uint32_t index : busy_) {
+    for (const std::uint32_t index : awake_) {
         const JointDef& def = joints_[index].def;
         const std::uint32_t a = firstBody(def).index;
         const std::uint32_t b = secondBody(def).index;

@@ -86,7 +86,7 @@ public:
     /// Lists the joints with an active body; a step works on these alone. Must be called after each
     /// update of Bodies::awake; `changed`: that list has changed.
     void findBusy(const Bodies& bodies, bool changed);
-    std::size_t busyCount() const { return busy_.size(); }
+    std::size_t awakeCount() const { return awake_.size(); }
     /// True if a pass changes no velocity: all joints belong to trees that leave it to the next.
     bool leaves(const JointPass& pass) const {
         return own_.empty() && !pass.biased && !pass.settle && trees_.allLazy();
@@ -151,7 +151,7 @@ public:
     /// Visits the joints that findBusy has listed.
     template <typename Visit>
     void forEachBusy(Visit visit) const {
-        for (const std::uint32_t index : busy_) {
+        for (const std::uint32_t index : awake_) {
             visit(joints_[index]);
         }
     }
@@ -196,8 +196,8 @@ private:
     BodyRotations turned_;
     std::vector<std::uint32_t> own_;            // of this step, in order: see forEachOwn
     std::vector<std::uint32_t> takenRevolutes_; // of this step, in order: result of takeRevolutes
-    std::vector<std::uint32_t> busy_; // in order; may contain joints that have become idle since
-    bool busyStale_ = true;
+    std::vector<std::uint32_t> awake_; // in order; may contain joints that have become idle since
+    bool awakeStale_ = true;
     LastPass lastPass_ = LastPass::Relax;
 
     void refreshLists();

@@ -73,7 +73,7 @@ void ContactBlocks::assignRow(const ContactEntry& entry) {
     }
     ofA |= colourA;
     ofB |= colourB;
-    giveLane(entry, binOf(entry));
+    assignLane(entry, binOf(entry));
 }
 
 /// Index of a block of the bin that has a free lane.
@@ -98,11 +98,12 @@ std::uint32_t ContactBlocks::addBlock(std::uint32_t bin, std::uint8_t partition)
 
 /// Gives a contact without a colour a lane. Contacts of a body that has no free colour share
 /// blocks.
-void ContactBlocks::giveSingleLane(const ContactEntry& entry, std::uint32_t bin, Shared shared) {
+void ContactBlocks::assignUncolouredLane(const ContactEntry& entry, std::uint32_t bin,
+                                         Shared shared) {
     if (shared == Shared::None) {
         const std::uint32_t block = openBlock(bin, 0);
         use_[block].shared = shared;
-        giveLaneOf(block, entry);
+        assignLaneOf(block, entry);
         openOf(bin, 0) = states_[block].nextOpen;
         return;
     }
@@ -130,13 +131,13 @@ void ContactBlocks::giveSingleLane(const ContactEntry& entry, std::uint32_t bin,
         ContactBlock& lanes = blocks_[open]; // also unused lanes have a copy
         std::fill_n(isA ? lanes.a : lanes.b, ContactBlock::kContacts, velocityOffset(body));
     }
-    giveLaneOf(open, entry);
+    assignLaneOf(open, entry);
 }
 
-void ContactBlocks::giveLane(const ContactEntry& entry, std::uint32_t bin) {
+void ContactBlocks::assignLane(const ContactEntry& entry, std::uint32_t bin) {
     const std::uint8_t partition = partitions_.of(entry.summary.bodyA);
     const std::uint32_t block = openBlock(bin, partition);
-    giveLaneOf(block, entry);
+    assignLaneOf(block, entry);
     if (states_[block].used == 0xff) {
         openOf(bin, partition) = states_[block].nextOpen;
     }
@@ -144,7 +145,7 @@ void ContactBlocks::giveLane(const ContactEntry& entry, std::uint32_t bin) {
 }
 
 /// Moves a contact from its waiting lane to one of the block.
-void ContactBlocks::giveLaneOf(std::uint32_t block, const ContactEntry& entry) {
+void ContactBlocks::assignLaneOf(std::uint32_t block, const ContactEntry& entry) {
     const ContactNumbers numbers = waiting(entry.slot).numbers();
     ContactRow& row = entry.summary.row;
     BlockState& state = states_[block];

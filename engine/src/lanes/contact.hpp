@@ -106,9 +106,9 @@ struct ContactSummary {
     bool sensor = false;
     bool bounces = false;
     bool idle = false;        // no sensor, not near, and without a record in the last step
-    bool meets = false;       // has a manifold, or is a sensor, which may find one on its path
+    bool mayTouch = false;    // has a manifold, or is a sensor, which may find one on its path
     bool wasTouching = false; // at the last finishStepOfContacts
-    bool steady = false;      // the contact does not change if it touches again, or again does not
+    bool settled = false;     // the contact does not change if it touches again, or again does not
     bool kept = false;        // as long as its manifold is valid, the passes need only the lane
     bool gone = false;        // removed; its slot is still in use, see ContactStore::freeDetached
 
@@ -119,7 +119,7 @@ struct ContactSummary {
         bodyB = contact.key.bodyB;
         sensor = contact.sensor;
         bounces = contact.bounces;
-        meets = contact.manifold.count > 0 || sensor;
+        mayTouch = contact.manifold.count > 0 || sensor;
     }
     bool inPasses() const { return row.index != ContactRow::kNone; }
 };

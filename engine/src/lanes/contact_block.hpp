@@ -81,7 +81,7 @@ struct BlockUse {
     std::uint8_t movesA = 0;   // lane mask: body a is not locked
     std::uint8_t movesB = 0;
     Shared shared = Shared::None;
-    bool unlike = false; // some contact has a static friction above the kinetic one
+    bool stiction = false; // some contact has a static friction above the kinetic one
 };
 
 /// Values shared by all contacts in a substep.

@@ -37,13 +37,13 @@ std::uint8_t removedLanes(const BlockState& state, const std::uint8_t* taken) {
 
 void ContactBlocks::begin(const ContactList& contacts, bool friction, bool rolling) {
     const std::size_t bins = BlockBins::kLevelBins * (refinedLevels_.empty() ? 1 : kLevels);
-    const std::size_t full = singles_ + bins * partitions_.count() + size() / 4;
+    const std::size_t full = uncoloured_ + bins * partitions_.count() + size() / 4;
     if (passOrder_.blocks().size() > full || blocks_.size() > kFewBlocks + contacts.size()) {
         // Most lanes are empty, as after a large pile has fallen asleep.
         leaveAll(contacts);
         forgetLanes();
     }
-    singles_ = 0;
+    uncoloured_ = 0;
     ++lanesState_;
     if (!rowsAssigned_) {
         assignRows(contacts);
@@ -173,16 +173,16 @@ void ContactBlocks::colourNewcomer(const Bodies& bodies, const ContactEntry& ent
         const auto hasFew = [&](std::uint32_t body) {
             return std::popcount(colours_[body]) <= kFewColours;
         };
-        ++singles_;
-        giveSingleLane(entry, binOf(group, entry),
-                       isFull(a) && !row.fixedA && hasFew(b)   ? Shared::BodyA
-                       : isFull(b) && !row.fixedB && hasFew(a) ? Shared::BodyB
-                                                               : Shared::None);
+        ++uncoloured_;
+        assignUncolouredLane(entry, binOf(group, entry),
+                             isFull(a) && !row.fixedA && hasFew(b)   ? Shared::BodyA
+                             : isFull(b) && !row.fixedB && hasFew(a) ? Shared::BodyB
+                                                                     : Shared::None);
     } else {
         row.colour = static_cast<std::uint8_t>(colour);
         colours_[a] |= row.fixedA ? 0 : std::uint64_t{1} << colour;
         colours_[b] |= row.fixedB ? 0 : std::uint64_t{1} << colour;
-        giveLane(entry, binOf(entry));
+        assignLane(entry, binOf(entry));
     }
 }
 
@@ -199,7 +199,7 @@ void ContactBlocks::arrange(const Bodies& bodies, const ContactList& contacts,
             const std::uint32_t before = summary.row.index;
             leave(entry);
             empty(before);
-            giveLane(entry, binOf(entry));
+            assignLane(entry, binOf(entry));
         }
         fill(bodies, entry);
         summary.kept =
@@ -243,7 +243,7 @@ void ContactBlocks::fill(const Bodies& bodies, const ContactEntry& entry) {
     BlockUse& use = use_[blockOf(row)];
     fillLane(block, lane, bodies, contact, {pushLimit_.speed, use.shared});
     if (contact.material.staticFriction > contact.material.kineticFriction) {
-        use.unlike = true;
+        use.stiction = true;
     }
     if (features_.rolling && contact.material.rollingResistance > 0 && use.rolling < 0) {
         use.rolling = static_cast<std::int32_t>(rolling_.size());

@@ -35,7 +35,7 @@ public:
     /// twenty bodies on one point part at 4.6 m/s instead of 3.
     static constexpr int kNeighbours = 2;
     /// Of more overlaps than this, a body has about as many that are solved: see
-    /// SoftSolver::thinOut().
+    /// SoftSolver::limitOverlaps().
     static constexpr int kMostOverlaps = 16;
 
     /// Blocks of one level of Refinement, and of one colour after the other.
@@ -106,7 +106,7 @@ public:
     /// Lanes in use, of all levels or of one.
     std::size_t size() const { return std::accumulate(rows_.begin(), rows_.end(), std::size_t{0}); }
     std::size_t size(std::uint32_t level) const { return rows_[level]; }
-    std::size_t singles() const { return singles_; }
+    std::size_t uncoloured() const { return uncoloured_; }
     std::size_t blockCount() const { return blocks_.size(); }
     /// Grows by 1 with each begin(), and by more with each rebuild. After growth by 1, only the
     /// newcomers of arrange() have other lanes than before.
@@ -156,9 +156,9 @@ private:
     void layOut(const ContactList& contacts);
     std::uint32_t addBlock(std::uint32_t bin, std::uint8_t partition);
     std::uint32_t openBlock(std::uint32_t bin, std::uint8_t partition);
-    void giveLane(const ContactEntry& entry, std::uint32_t bin);
-    void giveSingleLane(const ContactEntry& entry, std::uint32_t bin, Shared shared);
-    void giveLaneOf(std::uint32_t block, const ContactEntry& entry);
+    void assignLane(const ContactEntry& entry, std::uint32_t bin);
+    void assignUncolouredLane(const ContactEntry& entry, std::uint32_t bin, Shared shared);
+    void assignLaneOf(std::uint32_t block, const ContactEntry& entry);
     void release(std::uint32_t row);
     void empty(std::uint32_t row);
     void setPushSpeeds(std::span<const std::uint16_t> crowd, Real pushSpeed);
@@ -179,7 +179,7 @@ private:
     std::vector<RollingBlock> rolling_;
     PassOrder passOrder_;
     std::array<std::size_t, kLevels> rows_{}; // by level: lanes in use
-    std::size_t singles_ = 0;                 // lanes in use without a colour
+    std::size_t uncoloured_ = 0;              // lanes in use without a colour
     std::vector<std::uint32_t> sharedOf_;     // by body without a free colour: its open block
     std::vector<std::uint32_t> sharedBodies_; // scratch of arrange(): bodies in sharedOf_
     std::vector<std::uint8_t> refinedLevels_; // by body; empty if all are 0

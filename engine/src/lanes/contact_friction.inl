@@ -45,10 +45,10 @@ constexpr Real kLeastMass = std::numeric_limits<Real>::min(); // kg
 /// Effect of the impulses of a contact on each other.
 struct Couplings {
     Lanes response12; // m/s per N s, from one point to the other
-    Lanes first;      // m_t k_1t: decrease of `stick` per N s at the first point
+    Lanes first;      // m_t k_1t: decrease of `stopping` per N s at the first point
     Lanes second;
-    Lanes mass;  // m_t, kg
-    Lanes stick; // N s, friction that stops all sliding without change of the points
+    Lanes mass;     // m_t, kg
+    Lanes stopping; // N s, friction that stops all sliding without change of the points
 };
 
 /// Impulses of both points of a contact before clamping.
@@ -69,7 +69,7 @@ KODO_LANES_INLINE Together sticking(const ContactBlock& block, int at, const Unc
                                     const Unclamped& second, const Couplings& by) {
     const Lanes before1 = load(block.points[0].impulse + at);
     const Lanes before2 = load(block.points[1].impulse + at);
-    const Lanes et = by.stick - load(block.friction + at);
+    const Lanes et = by.stopping - load(block.friction + at);
     const Lanes over = all(1) / larger(by.mass, all(kLeastMass));
     const Lanes k1t = by.first * over;
     const Lanes k2t = by.second * over;
@@ -86,7 +86,7 @@ KODO_LANES_INLINE Together sticking(const ContactBlock& block, int at, const Unc
     const Lanes d2 = (a11 * r2 - a21 * r1) * over2;
     const Lanes next1 = before1 + d1;
     const Lanes next2 = before2 + d2;
-    const Lanes friction = by.stick - by.first * d1 - by.second * d2;
+    const Lanes friction = by.stopping - by.first * d1 - by.second * d2;
     const Lanes holds = load(block.staticFriction + at);            // < 0: it slides
     const auto isUnlike = load(block.kineticFriction + at) < holds; // other lanes are as if alone
     const Lanes most = holds * (next1 + next2);
@@ -96,38 +96,39 @@ KODO_LANES_INLINE Together sticking(const ContactBlock& block, int at, const Unc
 }
 
 /// Unclamped impulses of a contact, in the relax pass of two points such that they suit each other.
-template <bool both, bool unlike>
+template <bool both, bool stiction>
 KODO_LANES_INLINE Together together(const ContactBlock& block, int at, const Unclamped& first,
                                     const Unclamped& second, const Couplings& by) {
     Together wanted{first.impulse, {}, {}};
     if constexpr (both) {
         wanted.first = firstOfBoth(block, at, first, second, by.response12);
     }
-    if constexpr (both && unlike) {
+    if constexpr (both && stiction) {
         const Together stuck = sticking(block, at, first, second, by);
         wanted = {stuck.sticks ? stuck.first : wanted.first, stuck.second, stuck.sticks};
     }
     return wanted;
 }
 
-/// Both points share one friction impulse. `stick` is the impulse that stops all sliding (N s),
-/// `left` the number of substeps that are left. If a block is not `unlike`, its static coefficients
-/// are the kinetic ones. Returns the change (N s).
-template <bool unlike>
-KODO_LANES_INLINE Lanes applyFriction(ContactBlock& block, int at, Lanes stick, Lanes pressed,
+/// Both points share one friction impulse. `stopping` is the impulse that stops all sliding (N s),
+/// `left` the number of substeps that are left. If a block is not `stiction`, its static
+/// coefficients are the kinetic ones. Returns the change (N s).
+template <bool stiction>
+KODO_LANES_INLINE Lanes applyFriction(ContactBlock& block, int at, Lanes stopping, Lanes pressed,
                                       Real left) {
     const Lanes friction = load(block.friction + at);
     const Lanes kinetic = load(block.kineticFriction + at);
     Lanes next;
-    if constexpr (unlike) {
+    if constexpr (stiction) {
         const Lanes known = load(block.staticFriction + at); // < 0: it slides
         const Lanes coefficient = larger(known, -known);
         const Lanes reach = known < Lanes{} ? all(1) : all(left);
-        const auto answer = frictionImpulse<Lanes>({coefficient, kinetic, pressed, reach}, stick);
+        const auto answer =
+            frictionImpulse<Lanes>({coefficient, kinetic, pressed, reach}, stopping);
         next = answer.impulse;
         store(block.staticFriction + at, answer.slides ? -coefficient : coefficient);
     } else {
-        next = frictionImpulse<Lanes>(kinetic, pressed, stick);
+        next = frictionImpulse<Lanes>(kinetic, pressed, stopping);
     }
     store(block.friction + at, next);
     return next - friction;

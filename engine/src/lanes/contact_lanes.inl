@@ -74,8 +74,8 @@ KODO_LANES_INLINE Real meanOf(const Real* copies) {
            ContactBlock::kContacts;
 }
 
-KODO_LANES_INLINE void joinCopies(const ContactBlock& block, BodyVelocity* motion,
-                                  const BlockUse& use, const Copies& copies) {
+KODO_LANES_INLINE void averageCopies(const ContactBlock& block, BodyVelocity* motion,
+                                     const BlockUse& use, const Copies& copies) {
     const std::uint32_t place = use.shared == Shared::BodyA ? block.a[0] : block.b[0];
     Real* const speed = firstHalf(motion) + place;
     speed[0] = meanOf(copies.x);

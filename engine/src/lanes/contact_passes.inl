@@ -172,7 +172,7 @@ KODO_LANES_INLINE Pair gatherPair(const ContactBlock& block, int at, BodyVelocit
 /// t is the tangent; k1t has no 1/m since tangent and normal are perpendicular. k2t is the same for
 /// the second point. So the result is that of sequential impulses, with a short dependency chain.
 /// The function is not split: the compiler would keep a struct of these values in memory.
-template <Task task, int points, bool isShared, bool unlike>
+template <Task task, int points, bool isShared, bool stiction>
 KODO_LANES_INLINE void solveLanes(ContactBlock& block, const RollingBlock* rolling, int at,
                                   BodyVelocity* motion, const Rules& rules) {
     const Lanes nx = load(block.normalX + at);
@@ -199,29 +199,30 @@ KODO_LANES_INLINE void solveLanes(ContactBlock& block, const RollingBlock* rolli
     const Unclamped second = wantedAt(point2, line2);
     const Lanes response12 = (pair.a.w + pair.b.w) + turnCoupling(line2, line1);
     const Lanes tangentMass = load(block.tangentMass + at);
-    Lanes stick = load(block.friction + at) -
-                  tangentMass * ((nx * dy - ny * dx) + speedOfTurns(tangent, pair.a.z, pair.b.z));
+    Lanes stopping =
+        load(block.friction + at) -
+        tangentMass * ((nx * dy - ny * dx) + speedOfTurns(tangent, pair.a.z, pair.b.z));
     const Lanes coupling1t = tangentMass * turnCoupling(line1, tangent);
     const Lanes coupling2t = tangentMass * turnCoupling(line2, tangent);
     const Together wanted = together < points == 2 && task == Task::Relax,
-                   unlike > (block, at, first, second,
-                             {response12, coupling1t, coupling2t, tangentMass, stick});
+                   stiction > (block, at, first, second,
+                               {response12, coupling1t, coupling2t, tangentMass, stopping});
     Lanes change = pushPoint<task>(point1, at, wanted.first, rules.settings.kept);
     Lanes sum = load(point1.impulse + at);
     spin(pair, line1, change);
-    stick -= coupling1t * change;
+    stopping -= coupling1t * change;
     if constexpr (points == 2) {
         const Lanes alone = second.impulse - second.mass * response12 * change;
-        const Lanes next = unlike ? (wanted.sticks ? wanted.second : alone) : alone;
+        const Lanes next = stiction ? (wanted.sticks ? wanted.second : alone) : alone;
         const Lanes more = pushPoint<task>(point2, at, next, rules.settings.kept);
         sum += load(point2.impulse + at);
         spin(pair, line2, more);
-        stick -= coupling2t * more;
+        stopping -= coupling2t * more;
         change += more;
     }
     push(pair, nx, ny, change);
     if (task == Task::Relax && rules.settings.friction) {
-        const Lanes rubbed = applyFriction<unlike>(block, at, stick, sum, rules.settings.left);
+        const Lanes rubbed = applyFriction<stiction>(block, at, stopping, sum, rules.settings.left);
         push(pair, -ny, nx, rubbed);
         spin(pair, tangent, rubbed);
     }
@@ -232,26 +233,26 @@ KODO_LANES_INLINE void solveLanes(ContactBlock& block, const RollingBlock* rolli
     putBackPair<isShared>(pair, block, at, motion, rules.use, rules.copies);
 }
 
-template <Task task, int points, bool isShared, bool unlike = false>
+template <Task task, int points, bool isShared, bool stiction = false>
 KODO_LANES_INLINE void solveBlock(ContactBlock& block, const RollingBlock* rolling,
                                   BodyVelocity* motion, const Rules& rules) {
     for (int at = 0; at < ContactBlock::kContacts; at += kLanes) {
-        solveLanes<task, points, isShared, unlike>(block, rolling, at, motion, rules);
+        solveLanes<task, points, isShared, stiction>(block, rolling, at, motion, rules);
     }
     if constexpr (isShared) {
-        joinCopies(block, motion, rules.use, rules.copies);
+        averageCopies(block, motion, rules.use, rules.copies);
     }
 }
 
 /// solveBlock() for a block with a shared body, or in the relax pass for one whose static friction
 /// differs from the kinetic one. Not inlined: both are rare.
-template <Task task, bool isShared, bool unlike>
+template <Task task, bool isShared, bool stiction>
 __attribute__((noinline)) void solveRare(ContactBlock& block, const RollingBlock* rolling,
                                          BodyVelocity* motion, const Rules& rules) {
     if (rules.use.twoPoints) {
-        solveBlock<task, 2, isShared, unlike>(block, rolling, motion, rules);
+        solveBlock<task, 2, isShared, stiction>(block, rolling, motion, rules);
     } else {
-        solveBlock<task, 1, isShared, unlike>(block, rolling, motion, rules);
+        solveBlock<task, 1, isShared, stiction>(block, rolling, motion, rules);
     }
 }
 
@@ -268,11 +269,11 @@ void solveBlocks(const ContactPassArguments& pass) {
         const Rules rules{soft.biasRate, soft.massScale, settings, use, copies};
         const RollingBlock* const rolling = use.rolling < 0 ? nullptr : pass.rolling + use.rolling;
         ContactBlock& block = pass.blocks[i];
-        const bool unlike = task == Task::Relax && use.unlike;
+        const bool stiction = task == Task::Relax && use.stiction;
         if (use.shared != Shared::None) {
-            (unlike ? solveRare<task, true, task == Task::Relax>
-                    : solveRare<task, true, false>)(block, rolling, pass.motion, rules);
-        } else if (unlike) {
+            (stiction ? solveRare<task, true, task == Task::Relax>
+                      : solveRare<task, true, false>)(block, rolling, pass.motion, rules);
+        } else if (stiction) {
             solveRare<task, false, task == Task::Relax>(block, rolling, pass.motion, rules);
         } else if (use.twoPoints) {
             solveBlock<task, 2, false>(block, rolling, pass.motion, rules);
@@ -319,7 +320,7 @@ void warmStartBlocks(const ContactPassArguments& pass) {
             }
         }
         if (use.shared != Shared::None) {
-            joinCopies(block, pass.motion, use, copies);
+            averageCopies(block, pass.motion, use, copies);
         }
     }
 }

@@ -15,12 +15,12 @@ template <typename Number>
     return below > -limit ? below : -limit;
 }
 
-/// The friction rule with one coefficient: |j| <= mu load. `stick` is the impulse that stops all
+/// The friction rule with one coefficient: |j| <= mu load. `stopping` is the impulse that stops all
 /// sliding (N s).
 template <typename Number>
 [[gnu::always_inline]] inline Number frictionImpulse(Number coefficient, Number load,
-                                                     Number stick) {
-    return within<Number>(coefficient * load, stick);
+                                                     Number stopping) {
+    return within<Number>(coefficient * load, stopping);
 }
 
 /// What limits the friction of a contact.
@@ -41,20 +41,20 @@ struct FrictionAnswer {
 
 /// The friction rule where the static coefficient may exceed the kinetic one:
 ///
-///   |stick| <= reach mu_s load:  the contact sticks,  |j| <= mu_s load
+///   |stopping| <= reach mu_s load:  the contact sticks,  |j| <= mu_s load
 ///   else:                        it slides,           |j| <= mu_k load
 ///
 /// What happens at once, as the push of a belt that changes its speed once a step, is shared by the
 /// substeps that are left: `reach` is their number.
 template <typename Number>
 [[gnu::always_inline]] inline FrictionAnswer<Number>
-frictionImpulse(const FrictionLimits<Number>& is, Number stick) {
+frictionImpulse(const FrictionLimits<Number>& is, Number stopping) {
     const Number hold = is.staticCoefficient * is.load;
     const decltype(Number{} < Number{}) slides =
-        ((stick < Number{} ? -stick : stick) > is.reach * hold) & (is.load > Number{}) &
+        ((stopping < Number{} ? -stopping : stopping) > is.reach * hold) & (is.load > Number{}) &
         (is.kineticCoefficient < is.staticCoefficient);
     const Number coefficient = slides ? is.kineticCoefficient : is.staticCoefficient;
-    return {frictionImpulse<Number>(coefficient, is.load, stick), coefficient, slides};
+    return {frictionImpulse<Number>(coefficient, is.load, stopping), coefficient, slides};
 }
 
 } // namespace KODO_PRECISION

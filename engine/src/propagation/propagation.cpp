@@ -311,7 +311,7 @@ void Propagation::markExposure(const Bodies& bodies, const JointSet& joints, Rea
 /// bodies would leave at that velocity.
 void Propagation::relax(Bodies& bodies, JointSet& joints, JointPass pass,
                         const PropagationSettings& settings) {
-    if (joints.busyCount() == 0) {
+    if (joints.awakeCount() == 0) {
         return;
     }
     pass.last = false;

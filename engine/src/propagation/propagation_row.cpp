@@ -103,9 +103,9 @@ void solveFriction(PropagationRow& row, const Pair& pair) {
     if (!(k > 0)) {
         return;
     }
-    const Real stick = row.friction - pair.speed(t, row.tangentLeverA, row.tangentLeverB) / k;
+    const Real stopping = row.friction - pair.speed(t, row.tangentLeverA, row.tangentLeverB) / k;
     const Real next =
-        frictionImpulse<Real>({row.staticFriction, row.kineticFriction, row.load(), 1}, stick)
+        frictionImpulse<Real>({row.staticFriction, row.kineticFriction, row.load(), 1}, stopping)
             .impulse;
     const Real change = next - row.friction;
     row.friction = next;

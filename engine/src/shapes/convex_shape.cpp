@@ -39,7 +39,7 @@ void build(ConvexShape& convex, const Capsule& capsule, Vec2 origin) {
         build(convex, Circle{capsule.radius, capsule.from}, origin);
         return;
     }
-    convex.kind = ConvexKind::Sided;
+    convex.kind = ConvexKind::Polygonal;
     convex.radius = capsule.radius;
     convex.coreRadius = capsule.radius;
     setVertices(convex, {capsule.from, capsule.to}, origin);
@@ -47,7 +47,7 @@ void build(ConvexShape& convex, const Capsule& capsule, Vec2 origin) {
 }
 
 void build(ConvexShape& convex, const Polygon& polygon, Vec2 origin) {
-    convex.kind = ConvexKind::Sided;
+    convex.kind = ConvexKind::Polygonal;
     convex.radius = polygon.radius;
     setVertices(convex, polygon.corners, origin);
     convex.middle = massOf(std::span<const Vec2>(convex.vertices), Real(1)).center;
@@ -75,7 +75,7 @@ void build(ConvexShape& convex, const Segment& segment, Vec2 origin) {
 }
 
 void build(ConvexShape& convex, const Plane& plane, Vec2 origin) {
-    convex.kind = ConvexKind::Half;
+    convex.kind = ConvexKind::HalfPlane;
     const Vec2 normal = normalize(plane.normal);
     setVertices(convex, {plane.offset * normal}, origin);
     convex.normals.push_back(normal);

@@ -34,7 +34,7 @@ Real kineticEnergy(const BodyVelocity& motion, const Mass& mass) {
 
 /// Kinetic energy (J) that the forces give a body within dt from rest.
 Real energyOfForces(const Acceleration& acceleration, const Mass& mass, Real dt) {
-    const Real v = dt * acceleration.effort;
+    const Real v = dt * acceleration.forcePerMass;
     const Real w = dt * acceleration.angular;
     return (mass.mass * v * v + mass.inertia * w * w) / 2;
 }

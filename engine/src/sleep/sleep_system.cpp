@@ -211,7 +211,7 @@ void SleepSystem::wakeTouched(Bodies& bodies, ContactSet& contacts, const Tolera
         const std::span<const ContactSummary> summaries = contacts.summaries();
         for (; next < summaries.size(); ++next) {
             const ContactSummary& summary = summaries[next];
-            if (!summary.meets || contacts.store().separation(next) > tolerances.slop ||
+            if (!summary.mayTouch || contacts.store().separation(next) > tolerances.slop ||
                 !(bodies.asleep(summary.bodyA) || bodies.asleep(summary.bodyB)) ||
                 !contacts.contacts()[next].responds()) {
                 continue;

@@ -80,7 +80,7 @@ void scaleImpulses(const ContactLanes::Place& at, Real factor) {
 
 bool LoadRelease::isKicked(const Inputs& inputs, std::uint32_t body, Real h) const {
     const BodyVelocity& motion = inputs.bodies.motion[body];
-    const Real force = h * inputs.bodies.acceleration[body].effort;
+    const Real force = h * inputs.bodies.acceleration[body].forcePerMass;
     const Real least = std::max(kSmallKick * inputs.tolerances.slop, force / 2);
     return motion.invMass > 0 &&
            squareOf(motion, kickOf(inputs.bodies, before_[body], body, h)) > least * least;
@@ -194,8 +194,8 @@ void LoadRelease::releaseSeparating(const Inputs& inputs, std::uint32_t body, Re
     for (const std::uint32_t slot : slots_) {
         const ContactSummary& summary = inputs.contactSet.summaries()[slot];
         const ContactLanes::Place lane = inputs.blocks.placeOf(summary.row.index);
-        const Real fall = h * (inputs.bodies.acceleration[summary.bodyA].effort +
-                               inputs.bodies.acceleration[summary.bodyB].effort);
+        const Real fall = h * (inputs.bodies.acceleration[summary.bodyA].forcePerMass +
+                               inputs.bodies.acceleration[summary.bodyB].forcePerMass);
         const Real sum =
             lane.block.points[0].impulse[lane.lane] + lane.block.points[1].impulse[lane.lane];
         const Real give = inputs.bodies.motion[summary.bodyA].invMass +

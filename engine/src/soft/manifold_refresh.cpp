@@ -93,7 +93,7 @@ void ManifoldRefresh::findFast(const Step& step) {
         const ContactSummary& summary = contactSet.summaries()[slot];
         const Real core = std::min(step.bodies.extent[summary.bodyA].coreRadius,
                                    step.bodies.extent[summary.bodyB].coreRadius);
-        if (summary.meets && !summary.sensor && !contactSet.contacts()[slot].hidden &&
+        if (summary.mayTouch && !summary.sensor && !contactSet.contacts()[slot].hidden &&
             contactSet.store().approachSpeed(slot) * step.h > allowedWay(core, slop)) {
             slots_.push_back(slot);
         }
@@ -138,7 +138,7 @@ void ManifoldRefresh::find(const Step& step, std::uint32_t slot) {
             moved + (leverOf(p.armB, n) * b.deltaAngle - leverOf(p.armA, n) * a.deltaAngle);
     }
     lane.expire();
-    entry.summary.meets = true;
+    entry.summary.mayTouch = true;
 }
 
 void ManifoldRefresh::apply(const Step& step, std::uint32_t slot, Real times) {

@@ -104,7 +104,7 @@ void Refinement::findArrivals(const Step& step, Real most) {
     for (const std::uint32_t slot : step.contactSet.live()) {
         const ContactSummary& summary = step.contactSet.summaries()[slot];
         const Real approach = store.approachSpeed(slot);
-        if (!(approach > least) || !summary.meets || summary.sensor ||
+        if (!(approach > least) || !summary.mayTouch || summary.sensor ||
             store.separation(slot) > approach * step.dt) {
             continue;
         }
@@ -141,7 +141,7 @@ void Refinement::findSeeds(const Step& step, Real most) {
     const LoadRange& loads = bodies.loads;
     // An upper bound of any load, so that the result does not depend on the lightest body of the
     // World. A joint counts twice, see loadOf().
-    const Real factor = step.joints.busyCount() > 0 ? Real(2) : Real(1);
+    const Real factor = step.joints.awakeCount() > 0 ? Real(2) : Real(1);
     const auto presses = [&](Real invMass, Real accelerationSquared) {
         const Real ratio = factor * (1 + loads.maxInvMass / invMass);
         return ratio * ratio * accelerationSquared > most * most;
@@ -204,7 +204,7 @@ void Refinement::spread(const Step& step, std::uint32_t body, std::uint8_t level
         step.contactSet.store().lists().forEach(next, [&](std::uint32_t slot) {
             const ContactSummary& summary = step.contactSet.summaries()[slot];
             const std::uint32_t other = summary.bodyA == next ? summary.bodyB : summary.bodyA;
-            if (summary.meets && levels_[other] == 0 &&
+            if (summary.mayTouch && levels_[other] == 0 &&
                 needsRow(bodies, step.contactSet.store(), slot, restitution,
                          step.tolerances.slop) &&
                 step.contactSet.contacts()[slot].responds()) {

@@ -73,8 +73,8 @@ void SoftSolver::clearMarks(const Bodies& bodies, const JointSet& joints) {
 
 /// Takes a contact for which keep() does not suffice. Contacts that need another lane are added to
 /// `newcomers`.
-void SoftSolver::takeNew(const Bodies& bodies, ContactSet& contactSet, std::uint32_t place,
-                         bool friction, std::vector<std::uint32_t>& newcomers) {
+void SoftSolver::takeNewcomer(const Bodies& bodies, ContactSet& contactSet, std::uint32_t place,
+                              bool friction, std::vector<std::uint32_t>& newcomers) {
     if (!friction) {
         contactSet.store().lane(place).friction() = 0; // from a step with friction
     }
@@ -139,13 +139,13 @@ void SoftSolver::collectPiece(const Collecting& run, std::span<const std::uint32
             KODO_ASSERT(mayBeKept(contacts[place], summary));
             blocks.keep(summary.row.index);
             markExposure(run, place, false);
-        } else if (!keeps || summary.meets || summary.inPasses()) {
+        } else if (!keeps || summary.mayTouch || summary.inPasses()) {
             visited.add(place);
         }
     }
     visitPrefetched<3>(visited.list(), contacts, [&](std::uint32_t place) {
         if (needsRow(bodies, store, place, restitution, slop) && contacts[place].responds()) {
-            takeNew(bodies, contactSet, place, friction, newcomers);
+            takeNewcomer(bodies, contactSet, place, friction, newcomers);
             markExposure(run, place,
                          isLeaving(bodies, contacts[place], store.lane(place), step.dt));
         } else {
@@ -195,7 +195,7 @@ void SoftSolver::clearOverlapCounts(ContactSet& contactSet) {
 
 /// In a crowd, drops new contacts without a colour, so that about kMostOverlaps of a body are left:
 /// always the same, by a hash of the ranks. The others follow as the crowd thins out.
-void SoftSolver::thinOut(Bodies& bodies, ContactSet& contactSet) {
+void SoftSolver::limitOverlaps(Bodies& bodies, ContactSet& contactSet) {
     std::erase_if(newcomers_, [&](std::uint32_t place) {
         const ContactSummary& summary = contactSet.summaries()[place];
         const std::uint32_t bodyA = summary.bodyA;

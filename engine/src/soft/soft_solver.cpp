@@ -128,7 +128,7 @@ void SoftSolver::moveKinematic(Bodies& bodies, Real dt) {
 }
 
 void SoftSolver::solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints, const Step& step) {
-    if (joints.busyCount() == 0 &&
+    if (joints.awakeCount() == 0 &&
         noneNeedsRow(bodies, contactSet, step.settings, step.tolerances)) {
         if (contactSet.lanes().size() > 0) {
             contactSet.lanes().forgetLanes();
@@ -163,7 +163,7 @@ void SoftSolver::solveHeld(Bodies& bodies, ContactSet& contactSet, JointSet& joi
     }
     collect(bodies, contactSet, joints, step);
     if (anyCrowded_ != 0) {
-        thinOut(bodies, contactSet);
+        limitOverlaps(bodies, contactSet);
     }
     contactSet.store().sortByKey(newcomers_); // colours depend on the order
     contactSet.lanes().arrange(bodies, contactSet.store().all(), newcomers_,
@@ -276,7 +276,7 @@ void SoftSolver::refreshManifolds(Substeps& run, bool first) {
         }
     }
     newcomers_.clear();
-    if (store.lanes().singles() > 0) { // their lanes depend on one another
+    if (store.lanes().uncoloured() > 0) { // their lanes depend on one another
         for (const std::uint32_t slot : run.contactSet.live()) {
             const ContactRow& row = store.summaries()[slot].row;
             if (row.index != ContactRow::kNone && row.colour == ContactRow::kNoColour) {

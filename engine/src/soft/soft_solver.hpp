@@ -98,11 +98,11 @@ private:
     void clearMarks(const Bodies& bodies, const JointSet& joints);
     void beginCollecting(const Bodies& bodies, ContactSet& contactSet, const JointSet& joints,
                          const Step& step);
-    void takeNew(const Bodies& bodies, ContactSet& contactSet, std::uint32_t place, bool friction,
-                 std::vector<std::uint32_t>& newcomers);
+    void takeNewcomer(const Bodies& bodies, ContactSet& contactSet, std::uint32_t place,
+                      bool friction, std::vector<std::uint32_t>& newcomers);
     void refine(const Bodies& bodies, ContactSet& contactSet);
     void countOverlap(const Bodies& bodies, const ContactSummary& summary, const WorkerTeam& team);
-    void thinOut(Bodies& bodies, ContactSet& contactSet);
+    void limitOverlaps(Bodies& bodies, ContactSet& contactSet);
     void findJointed(const JointSet& joints);
     void solveHeld(Bodies& bodies, ContactSet& contactSet, JointSet& joints, const Step& step);
     bool noneNeedsRow(const Bodies& bodies, ContactSet& contactSet, const StepSettings& settings,

@@ -72,7 +72,7 @@ public:
     const Tolerances& tolerances() const { return tolerances_; }
 
     StepStats stats() const {
-        return {bodies_.awake.size(), contactVisits_, joints_.busyCount(),
+        return {bodies_.awake.size(), contactVisits_, joints_.awakeCount(),
                 contacts_.candidates().work(),
                 changeVisits_ + contacts_.candidates().bounds().moves() +
                     region_.parked().visits()};
