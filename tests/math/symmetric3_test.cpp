@@ -7,13 +7,8 @@
 namespace kodo {
 namespace {
 
-Triple times(const Symmetric3& m, const Triple& v) {
-    return {m.xx * v[0] + m.yx * v[1] + m.zx * v[2], m.yx * v[0] + m.yy * v[1] + m.zy * v[2],
-            m.zx * v[0] + m.zy * v[1] + m.zz * v[2]};
-}
-
 TEST(Symmetric3, SolvingWithTheIdentityChangesNothing) {
-    EXPECT_EQ(Symmetric3::Factors(Symmetric3{}).solve({1, 2, 3}), (Triple{1, 2, 3}));
+    EXPECT_EQ(Symmetric3{}.solve({1, 2, 3}), (Triple{1, 2, 3}));
 }
 
 // A sum of three outer products of random vectors is positive definite. Solving inverts its product
@@ -33,7 +28,7 @@ TEST(Symmetric3, SolvingInvertsMultiplication) {
             m.zz += v[2] * v[2];
         }
         const Triple wanted{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
-        const Triple found = Symmetric3::Factors(m).solve(times(m, wanted));
+        const Triple found = m.solve(m.times(wanted));
         for (std::size_t k = 0; k < 3; ++k) {
             ASSERT_TRUE(support::near(found[k], wanted[k], 1000 * support::kEpsilon))
                 << "seed 11, " << i;
@@ -43,8 +38,26 @@ TEST(Symmetric3, SolvingInvertsMultiplication) {
 
 // Masses of 1e9 and 1e-9 in one matrix lose no digits, since each axis is solved by itself.
 TEST(Symmetric3, SolvesAxesOfVeryDifferentSize) {
-    const Triple found = Symmetric3::Factors({Real(1e9), 0, 1, 0, 0, Real(1e-9)}).solve({1, 1, 1});
+    const Triple found = Symmetric3{Real(1e9), 0, 1, 0, 0, Real(1e-9)}.solve({1, 1, 1});
     EXPECT_EQ(found, (Triple{1 / Real(1e9), 1, 1 / Real(1e-9)}));
+}
+
+// A force at the hinge moves it as if the rotation were eliminated: the matrix of what hangs on it
+// maps the motion of the hinge to that force, while the torque about the hinge is 0.
+TEST(Symmetric3, WhatHangsOnAHingeFeelsItsForceAlone) {
+    support::RandomNumbers random(12);
+    for (int i = 0; i < 1000; ++i) {
+        const Real mass = random.between(Real(0.1), 10);
+        const Real inertia = random.between(Real(0.1), 10);
+        const Vec2 arm{random.between(-2, 2), random.between(-2, 2)};
+        const Symmetric3 felt = Symmetric3{mass, 0, mass, 0, 0, inertia}.hinged(arm);
+        const Vec2 force{random.between(-1, 1), random.between(-1, 1)};
+        // kg m/s of the force for 1 s, at the hinge: velocity of the centre and rotation about it
+        const Vec2 moved = force / mass + cross(cross(arm, force) / inertia, arm);
+        const Triple found = felt.times({moved.x, moved.y, 0});
+        ASSERT_NEAR(found[0], force.x, 1000 * support::kEpsilon) << "seed 12, " << i;
+        ASSERT_NEAR(found[1], force.y, 1000 * support::kEpsilon) << "seed 12, " << i;
+    }
 }
 
 } // namespace
