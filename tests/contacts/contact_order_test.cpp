@@ -107,7 +107,7 @@ TEST(ContactOrder, IsRestoredAfterManyChanges) {
         const ContactSummary& summary = set.summaries()[i++];
         EXPECT_EQ(summary.bodyA, contact.key.bodyA);
         EXPECT_EQ(summary.bodyB, contact.key.bodyB);
-        EXPECT_EQ(summary.meets, contact.manifold.count > 0);
+        EXPECT_EQ(summary.mayTouch, contact.manifold.count > 0);
         EXPECT_EQ(summary.inPasses(), contact.manifold.count > 0);
         if (summary.inPasses()) {
             const ContactBlock& block = pass.blocks[summary.row.index / 8];

@@ -26,7 +26,7 @@ struct RandomBlocks {
         support::RandomNumbers random(seed);
         for (std::size_t i = 0; i < kBlocks; ++i) {
             order.push_back(static_cast<std::uint32_t>(i));
-            use[i].unlike = i % 4 == 3;
+            use[i].stiction = i % 4 == 3;
             use[i].twoPoints = random.below(2) == 0;
             use[i].onLocked = random.below(4) == 0;
             use[i].movesA = use[i].onLocked ? 0 : 0xff;
@@ -74,7 +74,7 @@ struct RandomBlocks {
         block.tangentMass[lane] = random.between(0.1, 2);
         block.friction[lane] = random.between(-1, 1);
         block.staticFriction[lane] = random.between(0, 1);
-        const Real share = use[i].unlike ? Real(0.8) : Real(1);
+        const Real share = use[i].stiction ? Real(0.8) : Real(1);
         block.kineticFriction[lane] = share * block.staticFriction[lane];
         block.pushSpeed[lane] = 3;
         if (use[i].rolling >= 0) {
