@@ -40,7 +40,8 @@ static void drawBody(const kodo_World* world, kodo_BodyId id) {
     kodo_BodyState body;
     check(kodo_bodyState(world, id, &body));
     const kodo_Vec2 place = body.transform.position;
-    const double degrees = kodo_angle(body.transform.rotation) * 57.29578;
+    double degrees = kodo_angle(body.transform.rotation) * 57.29578;
+    degrees = degrees > -0.05 && degrees < 0.05 ? 0 : degrees; // no "-0.0"
     printf("<g transform=\"translate(%.2f %.2f) rotate(%.1f)\">", place.x, place.y, degrees);
     for (size_t i = 0; i < body.partCount; ++i) {
         kodo_Part part;
