@@ -40,9 +40,10 @@ TEST(FixedJoint, MakesTwoBodiesMoveAsOne) {
     world[a].applyImpulse({0, 2}, {0, 0}); // half a metre from the common centre
     run(world, 60);
     const Real spin = Real(-0.5) * 2 / (Real(2) * 5 / 12);
-    // 300 substeps are rounded. In double, only the error of the rotating joint remains.
-    EXPECT_TRUE(near(world[a].angularVelocity(), spin, byPrecision(2e-5, 1e-8)));
-    EXPECT_TRUE(near(world[b].angularVelocity(), spin, byPrecision(2e-5, 1e-8)));
+    // 300 substeps are rounded. In double, only the error of the rotating joint remains: light
+    // trees are relaxed once a step.
+    EXPECT_TRUE(near(world[a].angularVelocity(), spin, byPrecision(2e-5, 3e-6)));
+    EXPECT_TRUE(near(world[b].angularVelocity(), spin, byPrecision(2e-5, 3e-6)));
     const Vec2 centre = Real(0.5) * (world[a].velocity() + world[b].velocity());
     EXPECT_TRUE(near(centre, Vec2{0, 1}, byPrecision(1e-5, 1e-12)));
     EXPECT_TRUE(near(length(world[b].position() - world[a].position()), 1, Real(1e-3)));

@@ -37,7 +37,7 @@ constexpr const char* kUsage =
     "remade), 2 wrong use.\n";
 
 constexpr std::uint32_t kServeTick = 90;
-constexpr std::uint32_t kSeeds = 10;
+constexpr std::uint32_t kSeeds = 20;
 constexpr int kReach = 9000;      // 1/1000 m; largest target of the paddle
 constexpr int kStride = 300;      // 1/1000 m, between the targets of the first scan
 constexpr int kHalfBall = 300;    // 1/1000 m

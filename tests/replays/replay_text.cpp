@@ -95,6 +95,8 @@ std::string withCollapse(const std::string& text, const Collapsing& collapse) {
                               std::to_string(collapse.besideLeft) + " and " +
                               std::to_string(collapse.besideRight) + ".";
     std::vector<std::string> lines = linesOf(text);
+    // Hashes of the former game may lie beyond the end of this one.
+    std::erase_if(lines, [](const std::string& line) { return line.starts_with("hash "); });
     for (std::string& line : lines) {
         if (line.starts_with("seed ")) {
             line = "seed " + std::to_string(collapse.seed);

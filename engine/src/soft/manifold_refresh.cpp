@@ -48,6 +48,15 @@ private:
     Transform start_;
 };
 
+/// Sums of the step, which a record tells, stay with the pair when their points are gone.
+void keepSums(const ContactLane& lane, const ContactNumbers& before) {
+    const auto& [first, second] = before.impulse;
+    const Real impact = first.impact + second.impact - (lane.impact(0) + lane.impact(1));
+    lane.impact(0) += std::max(impact, Real(0));
+    const Real largest = first.largest + second.largest - (lane.largest(0) + lane.largest(1));
+    lane.largest(0) = std::max({lane.largest(0), largest, lane.impact(0)}); // of one group
+}
+
 } // namespace
 
 void ManifoldRefresh::findTurned(const Step& step, std::span<const std::uint32_t> bodies,
@@ -129,6 +138,7 @@ void ManifoldRefresh::find(const Step& step, std::uint32_t slot) {
         lane = numbers;
         return;
     }
+    keepSums(lane, numbers);
     contact.centerA = bodies.pose[entry.summary.bodyA].position;
     const Vec2 n = contact.manifold.normal;
     const Real moved = dot(n, b.deltaPosition - a.deltaPosition);
