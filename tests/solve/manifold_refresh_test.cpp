@@ -158,13 +158,13 @@ TEST(ManifoldRefresh, RecordsTellTheWholeChangeOfMomentum) {
             const Material smooth = withFriction(0, restitution);
             world.add(
                 {.shape = Box{2000, 2, {0, -1}}, .material = smooth, .type = BodyType::Static});
-            const BodyId body = world.add(
-                {.shape = Box{random.between(Real(0.2), Real(1.5)), random.between(Real(0.1), 1)},
-                 .position = {0, random.between(1, 4)},
-                 .rotation = Rot::fromAngle(random.between(-3, 3)),
-                 .velocity = {0, random.between(-25, -1)},
-                 .angularVelocity = random.between(-20, 20),
-                 .material = smooth});
+            const BodyId body =
+                world.add({.shape = Box{random.between(0.2, 1.5), random.between(0.1, 1)},
+                           .position = {0, random.between(1, 4)},
+                           .rotation = Rot::fromAngle(random.between(-3, 3)),
+                           .velocity = {0, random.between(-25, -1)},
+                           .angularVelocity = random.between(-20, 20),
+                           .material = smooth});
             for (int step = 0; step < 60; ++step) {
                 const Vec2 before = world[body].velocity();
                 world.step(support::kDt);
@@ -173,7 +173,7 @@ TEST(ManifoldRefresh, RecordsTellTheWholeChangeOfMomentum) {
                 for (const CollisionRecord& record : world.collisions()) {
                     told += record.totalImpulse * record.normal; // the floor is body a
                 }
-                ASSERT_NEAR(length(gained - told), 0, Real(1e-3) * (1 + length(gained)))
+                ASSERT_LT(length(gained - told), Real(1e-3) * (1 + length(gained)))
                     << "seed 5, throw " << throws << ", step " << step << ", e " << restitution;
             }
         }

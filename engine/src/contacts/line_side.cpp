@@ -131,12 +131,13 @@ Real LineSides::sideFrom(const Spread& step, const Contact& carrier, const Joint
 /// True if the contact takes over another side.
 bool LineSides::takeSide(const Spread& step, std::uint32_t slot) {
     const auto& [bodies, store, margin] = step;
-    Contact& contact = store.contacts()[slot];
+    const std::span<Contact> contacts = store.contacts();
+    Contact& contact = contacts[slot];
     const JointedLine line = *jointedLineOf(bodies, contact.key);
     const bool known = isKnown(bodies, contact);
     Real side = 0; // a sum does not depend on the order of the contacts
     store.lists().forEach(line.otherBody, [&](std::uint32_t other) {
-        const Contact& carrier = store.contacts()[other];
+        const Contact& carrier = contacts[other];
         if (carrier.wasTouching || !known || contact.side == 0) {
             side += sideFrom(step, carrier, line);
         }

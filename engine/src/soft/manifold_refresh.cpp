@@ -161,12 +161,13 @@ void ManifoldRefresh::apply(const Step& step, std::uint32_t slot, Real times) {
     const std::array<Real, 2> normal{times * block.points[0].impulse[k],
                                      times * block.points[1].impulse[k]};
     const Real friction = times * block.friction[k];
+    const Real rolling = times * block.rolling[k];
     const Vec2 impulse = (normal[0] + normal[1]) * n + friction * perp(n);
     const auto give = [&](std::uint32_t body, Real sign, Real lever1, Real lever2, Real tangent) {
         BodyVelocity& motion = step.bodies.motion[body];
         applyImpulse(motion, motion.invMass, sign * impulse, motion.invInertia,
-                     sign * (lever1 * normal[0] + lever2 * normal[1] + tangent * friction +
-                             times * block.rolling[k]));
+                     sign *
+                         (lever1 * normal[0] + lever2 * normal[1] + tangent * friction + rolling));
     };
     give(summary.bodyA, -1, block.points[0].leverA[k], block.points[1].leverA[k],
          block.tangentLeverA[k]);
