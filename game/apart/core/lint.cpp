@@ -216,7 +216,7 @@ private:
     std::uint32_t gap_ = 0; // ticks
 };
 
-/// Names the standing block that moves farthest while nobody plays.
+/// Names the standing block that moves farthest without a serve.
 void judgeStanding(const Level& level, LintReport& report) {
     constexpr std::uint32_t kUntouched = 60 * kTicksPerSecond;
     constexpr Real kStill = Real(0.05); // m
