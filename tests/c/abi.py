@@ -78,10 +78,10 @@ def numbers_of(header, compiler, definitions, work):
     source = work / "abi.c"
     source.write_text(header.program())
     program = work / "abi"
-    stubs = work / "stubs.c"  # inline functions of the header name functions of the library
-    stubs.write_text("".join(f"void {name}(void) {{}}\n" for name in sorted(header.exported)))
+    library = work / "library.c"  # an empty definition of each function that inline ones call
+    library.write_text("".join(f"void {name}(void) {{}}\n" for name in sorted(header.exported)))
     subprocess.run(
-        [compiler, "-std=c11", f"-I{FOLDER}", *definitions, source, stubs, "-o", program], check=True
+        [compiler, "-std=c11", f"-I{FOLDER}", *definitions, source, library, "-o", program], check=True
     )
     return subprocess.run([program], check=True, capture_output=True, text=True).stdout.split()
 

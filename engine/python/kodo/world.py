@@ -21,11 +21,11 @@ from .values import (Aabb, BodyId, BodyType, Filter, JointId, Material, Vec2, fr
                      to_joint_id, to_material, to_rot, to_vec2)
 
 #: A handle or an id names a body.
-AnyBody = Union[Body, BodyId]
+BodyLike = Union[Body, BodyId]
 Struct = TypeVar("Struct", bound=ctypes.Structure)
 
 
-def id_of(body: AnyBody) -> c.BodyId:
+def id_of(body: BodyLike) -> c.BodyId:
     return to_body_id(body.id if isinstance(body, Body) else body)
 
 
@@ -150,11 +150,11 @@ class World:
         call("kodo_addBody", self.handle, byref(definition), byref(added))
         return Body(self, from_body_id(added))
 
-    def __getitem__(self, body: AnyBody) -> Body:
+    def __getitem__(self, body: BodyLike) -> Body:
         """The handle of a body, also for an id or a handle of a copy."""
         return Body(self, body.id if isinstance(body, Body) else body)
 
-    def __contains__(self, body: AnyBody) -> bool:
+    def __contains__(self, body: BodyLike) -> bool:
         contained = c_bool()
         call("kodo_containsBody", self.handle, id_of(body), byref(contained))
         return contained.value
@@ -189,23 +189,23 @@ class World:
 
     # Many bodies in one call.
 
-    def poses(self, bodies: Sequence[AnyBody], out: Optional[Any] = None) -> Any:
+    def poses(self, bodies: Sequence[BodyLike], out: Optional[Any] = None) -> Any:
         """x, y (m), cosine and sine of the angle of each body: a NumPy array n x 4, or without
         NumPy a memoryview of this shape. `out`, an array of the right type, is filled instead."""
         return self._read("kodo_poses", bodies, 4, out)
 
-    def velocities(self, bodies: Sequence[AnyBody], out: Optional[Any] = None) -> Any:
+    def velocities(self, bodies: Sequence[BodyLike], out: Optional[Any] = None) -> Any:
         """x and y of the velocity (m/s) and angular velocity (rad/s) of each body: n x 3."""
         return self._read("kodo_velocities", bodies, 3, out)
 
-    def _read(self, name: str, bodies: Sequence[AnyBody], width: int, out: Optional[Any]) -> Any:
+    def _read(self, name: str, bodies: Sequence[BodyLike], width: int, out: Optional[Any]) -> Any:
         ids = to_array(c.BodyId, [id_of(body) for body in bodies])
         made, memory = writable(out, (len(ids), width))
         if memory is not None:
             call(name, byref(self.handle), c_size_t(1), ids, c_size_t(len(ids)), memory)
         return made
 
-    def apply_loads(self, bodies: Sequence[AnyBody], loads: Any) -> None:
+    def apply_loads(self, bodies: Sequence[BodyLike], loads: Any) -> None:
         """x and y of a force (N) and a torque (N m) on each body in the next step: n x 3."""
         ids = to_array(c.BodyId, [id_of(body) for body in bodies])
         memory = readable(loads, (len(ids), 3))
@@ -336,7 +336,7 @@ class World:
 
     # Collisions of the last step.
 
-    def collisions(self, body: Optional[AnyBody] = None) -> List[CollisionRecord]:
+    def collisions(self, body: Optional[BodyLike] = None) -> List[CollisionRecord]:
         """Contacts that began, persisted or ended; of one body, or of all."""
         if body is None:
             found = self._list("kodo_collisions", c.CollisionRecord)
@@ -358,7 +358,7 @@ class World:
     # Queries. `which` selects bodies; `ignore` leaves some out.
 
     def ray_cast(self, start: Vec2, end: Vec2, which: Filter = Filter(),
-                 ignore: Sequence[AnyBody] = ()) -> Optional[QueryHit]:
+                 ignore: Sequence[BodyLike] = ()) -> Optional[QueryHit]:
         """The first part on a ray (m, world)."""
         hit = c.QueryHit()
         ray = c.Ray(to_vec2(start), to_vec2(end))
@@ -366,14 +366,14 @@ class World:
         return from_hit(hit) if hit.found else None
 
     def ray_cast_all(self, start: Vec2, end: Vec2, which: Filter = Filter(),
-                     ignore: Sequence[AnyBody] = ()) -> List[QueryHit]:
+                     ignore: Sequence[BodyLike] = ()) -> List[QueryHit]:
         """All parts on a ray, ordered by fraction, then id, then part."""
         ray = c.Ray(to_vec2(start), to_vec2(end))
         found = self._list("kodo_rayCastAll", c.QueryHit, ray, byref(_query(which, ignore)))
         return [from_hit(hit) for hit in found]
 
     def shape_cast(self, shape: Shape, position: Vec2, displacement: Vec2, angle: float = 0.0,
-                   which: Filter = Filter(), ignore: Sequence[AnyBody] = ()) -> Optional[QueryHit]:
+                   which: Filter = Filter(), ignore: Sequence[BodyLike] = ()) -> Optional[QueryHit]:
         """The first part that a shape meets when it moves by a displacement (m) without
         rotation."""
         built, hit = BuiltShape(shape), c.QueryHit()
@@ -382,14 +382,14 @@ class World:
         return from_hit(hit) if hit.found else None
 
     def overlap_box(self, box: Aabb, which: Filter = Filter(),
-                    ignore: Sequence[AnyBody] = ()) -> List[BodyId]:
+                    ignore: Sequence[BodyLike] = ()) -> List[BodyId]:
         """Bodies that overlap or touch a box (m, world), in the order of ids."""
         found = self._list("kodo_overlapBox", c.BodyId, to_aabb(box),
                            byref(_query(which, ignore)))
         return [from_body_id(each) for each in found]
 
     def overlap(self, shape: Shape, position: Vec2 = (0.0, 0.0), angle: float = 0.0,
-                which: Filter = Filter(), ignore: Sequence[AnyBody] = ()) -> List[BodyId]:
+                which: Filter = Filter(), ignore: Sequence[BodyLike] = ()) -> List[BodyId]:
         """The same for a shape at a pose (m, rad)."""
         built = BuiltShape(shape)
         found = self._list("kodo_overlapShape", c.BodyId, byref(_placed(built, position, angle)),
@@ -398,7 +398,7 @@ class World:
 
     def closest_point(self, point: Vec2, max_distance: float = float("inf"),
                       which: Filter = Filter(),
-                      ignore: Sequence[AnyBody] = ()) -> Optional[QueryPoint]:
+                      ignore: Sequence[BodyLike] = ()) -> Optional[QueryPoint]:
         """The closest body within max_distance (m)."""
         found = c.QueryPoint()
         call("kodo_closestPoint", self.handle, to_vec2(point), Real(max_distance),
@@ -409,7 +409,7 @@ class World:
                           from_vec2(found.normal), found.distance)
 
 
-def _query(which: Filter, ignore: Sequence[AnyBody]) -> c.Query:
+def _query(which: Filter, ignore: Sequence[BodyLike]) -> c.Query:
     query = c.initialised(c.Query)
     query.which = to_filter(which)
     setattr(query, "except", to_array(c.BodyId, [id_of(body) for body in ignore]))

@@ -11,7 +11,7 @@ from . import fields as _fields
 from ._library import Real, call
 from .buffers import readable, writable
 from .values import to_array
-from .world import AnyBody, ThreadPool, World, id_of
+from .world import BodyLike, ThreadPool, World, id_of
 
 
 class Worlds:
@@ -20,7 +20,7 @@ class Worlds:
 
     With a pool, each World of a step is a task for one thread; the bits are the same."""
 
-    def __init__(self, world: World, count: int, bodies: Sequence[AnyBody],
+    def __init__(self, world: World, count: int, bodies: Sequence[BodyLike],
                  pool: Optional[ThreadPool] = None) -> None:
         self.start = world.copy()  #: what reset() goes back to
         self.worlds: List[World] = [world.copy() for _ in range(count)]

@@ -16,7 +16,7 @@ inline namespace KODO_PRECISION {
 /// down before the step ends; contact points that were found when the step began do not hold it.
 ///
 /// Before a substep, the contacts of a body are found again at the present poses once it has turned
-/// by a quarter of its core radius at its farthest point since its last look. So are contacts that
+/// by an eighth of its core radius at its farthest point since its last look. So are contacts that
 /// approach so fast that one substep closes as much. The margin of such a manifold covers the way
 /// of the substep, since the blow turns what comes next. Impulses stay with their features.
 ///
