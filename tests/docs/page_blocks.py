@@ -1,27 +1,29 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Compiles and runs the C++ blocks of a Markdown page.
+"""Compiles and runs the C++ blocks of Markdown pages.
 
-    page_blocks.py generate PAGE SOURCE     writes one C++ source with a function for each ```cpp block
-    page_blocks.py check PAGE PROGRAM       runs the program and compares the outputs
-    page_blocks.py update PAGE PROGRAM      runs the program and writes the outputs into the page
+    page_blocks.py generate SOURCE PAGE...  writes one C++ source with a function for each ```cpp block
+    page_blocks.py check PROGRAM PAGE       runs the blocks of a page and compares the outputs
+    page_blocks.py update PROGRAM PAGE      runs the blocks of a page and writes the outputs into it
 
 A block with main() is a whole program. Any other block is the body of a function after
 #include <kodo/kodo.hpp> and some headers of the standard library. Its own #include lines are moved
 to the top of the source. Comments in front of a block, on a line of their own:
 
     <!-- continue -->    the block continues the function of the block before
+    <!-- shared -->      the block stands outside of functions, for all blocks of the page behind it
     <!-- skip -->        the block is not compiled
 
 A ```text block that follows with nothing but blank lines between is the expected output. Without
-one the output is ignored. Exit code 0: equal, 1: different or failed."""
+one the output is ignored; what such a block shows, it asserts: assert() counts in every build.
+Exit code 0: equal, 1: different or failed."""
 import pathlib
 import re
 import subprocess
 import sys
 
-HEADERS = ["kodo/kodo.hpp", "algorithm", "array", "cmath", "cstddef", "cstdint", "cstdio", "memory",
-           "optional", "string", "utility", "vector"]
+HEADERS = ["kodo/kodo.hpp", "algorithm", "array", "cassert", "cmath", "cstddef", "cstdint", "cstdio", "memory",
+           "map", "optional", "string", "utility", "vector"]
 MARK = "\x1e"  # in front of the output of a block
 MARK_IN_C = "\\036"
 
@@ -31,6 +33,7 @@ class Block:
         self.line = line  # of the first line of code
         self.text = text
         self.expected = None
+        self.shared = False
 
     def is_program(self):
         return re.search(r"^\s*(int|auto)\s+main\s*\(", self.text, re.M) is not None
@@ -60,6 +63,7 @@ def blocks_of(page):
         last = None
         if language == "cpp" and comment != "<!-- skip -->":
             last = Block(first + 1, text)
+            last.shared = comment == "<!-- shared -->"
             if comment == "<!-- continue -->" and groups:
                 groups[-1].append(last)
             else:
@@ -78,9 +82,9 @@ def split_includes(block):
     return includes, "\n".join(code)
 
 
-def source_of(page):
+def functions_of(page, includes):
+    """The functions of a page, and the lines that call them; adds to the includes."""
     name = pathlib.Path(page).name
-    includes = [f"#include <{header}>" for header in HEADERS]
     functions, calls = [], []
     for number, group in enumerate(blocks_of(page)):
         body = []
@@ -89,27 +93,43 @@ def source_of(page):
             includes += [line for line in found if line not in includes]
             begin = f'std::printf("{MARK_IN_C}{block.line}\\n");\n'
             place = f'#line {block.line} "{name}"\n'
-            if block.is_program():  # main() of a namespace needs its return
+            if block.shared:
+                functions.append(f"{place}{code}\n")
+            elif block.is_program():  # main() of a namespace needs its return
                 code = "return 0;\n}".join(code.rsplit("}", 1))
                 body = [f"namespace block_{number} {{\n{place}{code}\n}}\n",
                         f"void run_{number}() {{\n{begin}"
                         f'if (block_{number}::main() != 0) {{ std::printf("{MARK_IN_C}failed\\n"); }}\n}}\n']
             else:
                 body.append(f"{begin}{place}{code}\n")
+        if group[0].shared:
+            continue
         if not group[0].is_program():
             body = [f"void run_{number}() {{\n", *body, "}\n"]
         functions += body
         calls.append(f"        run_{number}();\n")
-    return ("// Made by page_blocks.py.\n" + "\n".join(includes) + "\n#include <exception>\nnamespace {\n"
-            + "".join(functions) + "}\nint main() {\n    try {\n" + "".join(calls)
+    return functions, calls
+
+
+def source_of(pages):
+    """One program; its argument is the number of the page whose blocks run."""
+    includes = [f"#include <{header}>" for header in HEADERS]
+    text, choice = [], []
+    for number, page in enumerate(pages):
+        functions, calls = functions_of(page, includes)
+        text += [f"namespace page_{number} {{\nnamespace {{\n", *functions, "}\nvoid run() {\n", *calls, "}\n}\n"]
+        choice.append(f'        if (page == "{pathlib.Path(page).resolve()}") {{ page_{number}::run(); }}\n')
+    return ("// Made by page_blocks.py.\n" + "\n".join(includes) + "\n#include <exception>\n#include <string_view>\n"
+            + "".join(text) + "int main(int, char** arguments) {\n    std::setvbuf(stdout, nullptr, _IOLBF, 0); // an assertion ends the program\n    try {\n"
+            + "        const std::string_view page = arguments[1];\n" + "".join(choice)
             + "    } catch (const std::exception& error) {\n"
             + f'        std::printf("{MARK_IN_C}failed\\n%s\\n", error.what());\n'
             + "        return 1;\n    }\n}\n")
 
 
-def outputs_of(program):
+def outputs_of(program, page):
     """Outputs by the line of their block, and what went wrong."""
-    result = subprocess.run([program], capture_output=True, text=True, timeout=60, check=False)
+    result = subprocess.run([program, str(pathlib.Path(page).resolve())], capture_output=True, text=True, timeout=60, check=False)
     outputs, failure = {}, ""
     for part in result.stdout.split(MARK)[1:]:
         head, _, text = part.partition("\n")
@@ -123,11 +143,13 @@ def outputs_of(program):
 
 
 def check(page, program):
-    outputs, failure = outputs_of(program)
+    outputs, failure = outputs_of(program, page)
     groups = blocks_of(page)
     compared, wrong = 0, 0
     for block in (block for group in groups for block in group):
         found = outputs.get(block.line)
+        if block.shared:
+            continue
         if found is None:
             failure = failure or f"line {block.line}: did not run"
         elif block.expected is not None:
@@ -143,7 +165,7 @@ def check(page, program):
 
 
 def update(page, program):
-    outputs, failure = outputs_of(program)
+    outputs, failure = outputs_of(program, page)
     path = pathlib.Path(page)
     lines = path.read_text(encoding="utf-8").splitlines()
     blocks = [block for group in blocks_of(page) for block in group]
@@ -158,13 +180,13 @@ def update(page, program):
 
 
 def main():
-    if len(sys.argv) != 4 or sys.argv[1] not in ("generate", "check", "update"):
+    if len(sys.argv) < 4 or sys.argv[1] not in ("generate", "check", "update"):
         print(__doc__)
         return 2
-    command, page, other = sys.argv[1:]
+    command, target, *pages = sys.argv[1:]
     if command != "generate":
-        return (check if command == "check" else update)(page, other)
-    pathlib.Path(other).write_text(source_of(page), encoding="utf-8")
+        return (check if command == "check" else update)(pages[0], target)
+    pathlib.Path(target).write_text(source_of(pages), encoding="utf-8")
     return 0
 
 
