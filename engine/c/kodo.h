@@ -182,12 +182,26 @@ typedef struct kodo_Filter {
 typedef int32_t kodo_BodyType;
 enum { KODO_DYNAMIC = 0, KODO_KINEMATIC = 1, KODO_STATIC = 2 };
 
-/// Surface of a body or a part; no units.
+/// How a coefficient of a contact follows from those of its two parts. Of two rules, the later one
+/// counts.
+typedef uint8_t kodo_MixRule;
+enum {
+    KODO_GEOMETRIC_MEAN = 0,
+    KODO_MINIMUM = 1,
+    KODO_MEAN = 2,
+    KODO_MULTIPLY = 3,
+    KODO_MAXIMUM = 4
+};
+
+/// Surface of a body or a part.
 typedef struct kodo_Material {
     kodo_Real staticFriction;    // >= kineticFriction
     kodo_Real kineticFriction;   // >= 0
-    kodo_Real restitution;       // 0 to 1
+    kodo_Real restitution;       // 0 to 2; above 1 an impact adds energy
     kodo_Real rollingResistance; // >= 0; lever arm of the braking torque, as share of the radius
+    kodo_Real surfaceSpeed;      // m/s, clockwise around the body, as of a belt
+    kodo_MixRule frictionRule;
+    kodo_MixRule restitutionRule;
 } kodo_Material;
 
 static inline kodo_Material kodo_withFriction(kodo_Real friction, kodo_Real restitution) {
@@ -195,6 +209,9 @@ static inline kodo_Material kodo_withFriction(kodo_Real friction, kodo_Real rest
     material.staticFriction = material.kineticFriction = friction;
     material.restitution = restitution;
     material.rollingResistance = 0;
+    material.surfaceSpeed = 0;
+    material.frictionRule = KODO_GEOMETRIC_MEAN;
+    material.restitutionRule = KODO_MINIMUM;
     return material;
 }
 

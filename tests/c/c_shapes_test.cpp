@@ -147,7 +147,8 @@ TEST(CShapes, AllOtherNumbersOfADefinitionArrive) {
     kodo_BodyDef def = bodyAt(1, 2);
     def.velocity = kodo_vec2(3, 4);
     def.angularVelocity = 5;
-    def.material = {kodo_Real(0.7), kodo_Real(0.6), kodo_Real(0.5), kodo_Real(0.4)};
+    def.material = {kodo_Real(0.7), kodo_Real(0.6), kodo_Real(0.5), kodo_Real(0.4),
+                    kodo_Real(0.3), KODO_MULTIPLY,  KODO_MAXIMUM};
     def.density = 6;
     def.hasMass = true;
     def.mass = {7, true, {kodo_Real(0.1), kodo_Real(0.2)}, true, 8};
@@ -161,7 +162,8 @@ TEST(CShapes, AllOtherNumbersOfADefinitionArrive) {
         {.position = {1, 2},
          .velocity = {3, 4},
          .angularVelocity = 5,
-         .material = {kodo_Real(0.7), kodo_Real(0.6), kodo_Real(0.5), kodo_Real(0.4)},
+         .material = {kodo_Real(0.7), kodo_Real(0.6), kodo_Real(0.5), kodo_Real(0.4),
+                      kodo_Real(0.3), kodo::MixRule::Multiply, kodo::MixRule::Maximum},
          .density = 6,
          .mass = kodo::MassDef{7, kodo::Vec2{kodo_Real(0.1), kodo_Real(0.2)}, kodo::Real(8)},
          .flags = kodo::kMatchAll | kodo::kNeverSleep | 3,

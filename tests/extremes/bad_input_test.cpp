@@ -85,7 +85,7 @@ TEST(BadInput, InABodyDefIsRefused) {
         shape("shape.points[1]", Chain{.points = {{0, 0}, {kNan, 0}}}),
         shape("shape.points[0]", Chain{.points = {{0, 0}, {1, 0}, {0, 0}}, .closed = true}),
         shape("shape.materials[0].restitution",
-              Chain{.points = {{0, 0}, {1, 0}}, .materials = {withFriction(0, 2)}}),
+              Chain{.points = {{0, 0}, {1, 0}}, .materials = {withFriction(0, 3)}}),
         ground("shape.normal", Plane{{0, 2}, 0}),
         ground("shape.normal", Plane{{kNan, 0}, 0}),
         ground("shape.offset", Plane{{0, 1}, kInf}),
@@ -288,7 +288,7 @@ TEST(BadInput, InOtherCallsOfAWorldIsRefused) {
         {"radius", [](Scene& s) { s.world.weld(s.box, Circle{-1}, {}, 1); }},
         {"shape", [](Scene& s) { s.world.weld(s.box, Circle{2 * kMaxCoordinate}, {}, 1); }},
         {"material.restitution",
-         [](Scene& s) { s.world.weld(s.box, Circle{1}, withFriction(1, 2), 1); }},
+         [](Scene& s) { s.world.weld(s.box, Circle{1}, withFriction(1, 3), 1); }},
         {"density", [](Scene& s) { s.world.weld(s.box, Circle{1}, {}, 0); }},
         {"shape", [](Scene& s) { s.world.weld(s.box, Plane{}, {}, 1); }},
 

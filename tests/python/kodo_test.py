@@ -103,6 +103,21 @@ class Bodies(unittest.TestCase):
         )
         self.assertEqual([0, 1, 2], [part.material.static_friction for part in chain.parts])
 
+    def test_a_belt_conveys_and_a_bumper_throws(self):
+        world = kodo.World(gravity=(0, -10))
+        belt = kodo.Material(surface_speed=2, friction_rule=kodo.MixRule.MAXIMUM)
+        floor = world.add(kodo.Box(100, 1), (0, -0.5), material=belt, type=kodo.BodyType.STATIC)
+        self.assertEqual(belt, floor.parts[0].material)
+        ice = kodo.with_friction(0)
+        crate = world.add(kodo.Box(1, 0.5), (0, 0.25), material=ice)
+        bumper = kodo.Material(restitution=1.5, restitution_rule=kodo.MixRule.MAXIMUM)
+        world.add(kodo.Box(1, 1), (20.5, 0.5), material=bumper, type=kodo.BodyType.STATIC)
+        ball = world.add(kodo.Circle(0.5), (18, 5), velocity=(8, 4), material=ice)
+        for _ in range(60):
+            world.step(1 / 60)
+        self.assertAlmostEqual(2, crate.velocity[0], places=3)
+        self.assertGreater(ball.position[1], 0)
+
     def test_outlines_become_polygons(self):
         corner = ((0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2))
         self.assertEqual(5, len(kodo.convex_hull(corner).corners))

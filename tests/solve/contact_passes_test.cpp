@@ -25,7 +25,7 @@ TEST(ContactPasses, BaselineAndFastestGiveTheSameBits) {
         narrow.run(ContactPasses::baseline());
         EXPECT_TRUE(sameBits(wide.motion, narrow.motion));
         EXPECT_TRUE(sameBits(wide.blocks, narrow.blocks));
-        EXPECT_TRUE(sameBits(wide.rolling, narrow.rolling));
+        EXPECT_TRUE(sameBits(wide.surfaces, narrow.surfaces));
     }
 }
 
@@ -150,7 +150,7 @@ TEST(ContactPasses, StickingFrictionStopsAllSliding) {
         const ContactBlock& block = blocks.blocks[i];
         for (std::size_t lane = 0; lane < kContacts; ++lane) {
             const Real pressed = block.points[0].impulse[lane] + block.points[1].impulse[lane];
-            if (blocks.use[i].rolling >= 0 || pressed < Real(0.1)) {
+            if (blocks.use[i].surface >= 0 || pressed < Real(0.1)) {
                 continue; // rolling changes the spin later; no pressure, no friction
             }
             const Alone alone(blocks.motion, block, lane);

@@ -13,12 +13,13 @@ inline constexpr int kContacts = ContactBlock::kContacts;
 inline constexpr std::size_t kBlocks = 40;
 
 /// Blocks of contacts between independent pairs of bodies: with and without rolling resistance,
-/// with one or two points, separated or deep, some with a locked body.
+/// static friction above the kinetic one, and surface speeds; with one or two points, separated or
+/// deep, some with a locked body.
 struct RandomBlocks {
     std::vector<BodyVelocity> motion;
     std::vector<Extent> extent;
     std::vector<ContactBlock> blocks = std::vector<ContactBlock>(kBlocks);
-    std::vector<RollingBlock> rolling;
+    std::vector<SurfaceBlock> surfaces;
     std::vector<BlockUse> use = std::vector<BlockUse>(kBlocks);
     std::vector<std::uint32_t> order;
 
@@ -26,20 +27,23 @@ struct RandomBlocks {
         support::RandomNumbers random(seed);
         for (std::size_t i = 0; i < kBlocks; ++i) {
             order.push_back(static_cast<std::uint32_t>(i));
-            use[i].stiction = i % 4 == 3;
+            use[i].rareFriction = hasStiction(i) || isBelt(i);
             use[i].twoPoints = random.below(2) == 0;
             use[i].onLocked = random.below(4) == 0;
             use[i].movesA = use[i].onLocked ? 0 : 0xff;
             use[i].movesB = 0xff;
-            if (random.below(3) == 0) {
-                use[i].rolling = static_cast<std::int32_t>(rolling.size());
-                rolling.emplace_back();
+            if (random.below(3) == 0 || isBelt(i)) {
+                use[i].surface = static_cast<std::int32_t>(surfaces.size());
+                surfaces.emplace_back();
             }
             for (std::size_t lane = 0; lane < kContacts; ++lane) {
                 fill(random, i, lane);
             }
         }
     }
+
+    static bool hasStiction(std::size_t block) { return block % 8 == 7; }
+    static bool isBelt(std::size_t block) { return block % 8 == 3; }
 
     std::uint32_t addBody(support::RandomNumbers& random, bool locked) {
         BodyVelocity body;
@@ -74,13 +78,14 @@ struct RandomBlocks {
         block.tangentMass[lane] = random.between(0.1, 2);
         block.friction[lane] = random.between(-1, 1);
         block.staticFriction[lane] = random.between(0, 1);
-        const Real share = use[i].stiction ? Real(0.8) : Real(1);
+        const Real share = hasStiction(i) ? Real(0.8) : Real(1);
         block.kineticFriction[lane] = share * block.staticFriction[lane];
         block.pushSpeed[lane] = 3;
-        if (use[i].rolling >= 0) {
-            RollingBlock& own = rolling[static_cast<std::size_t>(use[i].rolling)];
-            own.lever[lane] = random.between(0, 0.1);
-            own.mass[lane] = random.between(0.1, 2);
+        if (use[i].surface >= 0) {
+            SurfaceBlock& own = surfaces[static_cast<std::size_t>(use[i].surface)];
+            own.rollingLever[lane] = random.between(0, 0.1);
+            own.rollingMass[lane] = random.between(0.1, 2);
+            own.speed[lane] = isBelt(i) ? random.between(-2, 2) : Real(0);
             block.rolling[lane] = random.between(-0.1, 0.1);
         }
     }
@@ -88,7 +93,7 @@ struct RandomBlocks {
     ContactPassArguments pass() {
         const Real h = Real(1) / 240;
         return {blocks.data(),
-                rolling.data(),
+                surfaces.data(),
                 use.data(),
                 order.data(),
                 kBlocks,

@@ -85,7 +85,7 @@ const BadDef kBadDefs[] = {
     {"DensityDenormal", [](BodyDef& d) { d.density = Real(1e-40); }, "density"},
     {"RestitutionNegative", [](BodyDef& d) { d.material.restitution = -1; },
      "material.restitution"},
-    {"RestitutionTwo", [](BodyDef& d) { d.material.restitution = 2; }, "material.restitution"},
+    {"RestitutionThree", [](BodyDef& d) { d.material.restitution = 3; }, "material.restitution"},
     {"RestitutionNan", [](BodyDef& d) { d.material.restitution = kNan; }, "material.restitution"},
     {"KineticFrictionNegative", [](BodyDef& d) { d.material.kineticFriction = -1; },
      "material.kineticFriction"},

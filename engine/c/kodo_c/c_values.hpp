@@ -38,7 +38,14 @@ inline kodo::CollisionFilter fromC(kodo_Filter filter) {
     return {filter.flags, filter.required};
 }
 inline kodo::Material fromC(const kodo_Material& m) {
-    return {m.staticFriction, m.kineticFriction, m.restitution, m.rollingResistance};
+    static_assert(KODO_MAXIMUM == static_cast<int>(kodo::MixRule::Maximum));
+    return {m.staticFriction,
+            m.kineticFriction,
+            m.restitution,
+            m.rollingResistance,
+            m.surfaceSpeed,
+            static_cast<kodo::MixRule>(m.frictionRule),
+            static_cast<kodo::MixRule>(m.restitutionRule)};
 }
 inline kodo::Range fromC(const kodo_Range& range) {
     return {range.lower, range.upper};
@@ -90,8 +97,15 @@ inline kodo_Filter toC(kodo::CollisionFilter filter) {
     return {flags, required};
 }
 inline kodo_Material toC(const kodo::Material& material) {
-    const auto& [staticFriction, kineticFriction, restitution, rollingResistance] = material;
-    return {staticFriction, kineticFriction, restitution, rollingResistance};
+    const auto& [staticFriction, kineticFriction, restitution, rollingResistance, surfaceSpeed,
+                 frictionRule, restitutionRule] = material;
+    return {staticFriction,
+            kineticFriction,
+            restitution,
+            rollingResistance,
+            surfaceSpeed,
+            static_cast<kodo_MixRule>(frictionRule),
+            static_cast<kodo_MixRule>(restitutionRule)};
 }
 inline kodo_Range toC(const kodo::Range& range) {
     const auto& [lower, upper] = range;

@@ -26,7 +26,7 @@ from .settings import (Feature, PropagationSettings, Settings, SoftSettings, acc
                        fast, thesis2006)
 from .shapes import (Box, Capsule, Chain, Circle, Compound, Heightmap, MassDef, Part, Plane, Point,
                      Polygon, Segment)
-from .values import (BodyId, BodyType, Filter, Flags, JointId, Material, Phase, Transform,
+from .values import (BodyId, BodyType, Filter, Flags, JointId, Material, MixRule, Phase, Transform,
                      with_friction)
 from .world import ThreadPool, World
 from .worlds import Worlds
@@ -65,6 +65,7 @@ __all__ = [
     "KodoError",
     "MassDef",
     "Material",
+    "MixRule",
     "MotorJoint",
     "MouseJoint",
     "NoMemory",

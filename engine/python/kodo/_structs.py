@@ -58,6 +58,9 @@ class Material(ctypes.Structure):
         ("kineticFriction", Real),
         ("restitution", Real),
         ("rollingResistance", Real),
+        ("surfaceSpeed", Real),
+        ("frictionRule", c_uint8),
+        ("restitutionRule", c_uint8),
     ]
 
 

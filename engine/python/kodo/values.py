@@ -70,14 +70,27 @@ class JointId:
     world: int = dataclasses.field(default=0, compare=False)  #: stamp of the World
 
 
+class MixRule(enum.IntEnum):
+    """How a coefficient of a contact follows from two. Of two rules, the later one counts."""
+
+    GEOMETRIC_MEAN = 0
+    MINIMUM = 1
+    MEAN = 2
+    MULTIPLY = 3
+    MAXIMUM = 4
+
+
 @dataclasses.dataclass(frozen=True)
 class Material:
-    """Surface of a body or part; no units."""
+    """Surface of a body or part."""
 
     static_friction: float = 0.6  #: >= kinetic_friction
     kinetic_friction: float = 0.6  #: >= 0
-    restitution: float = 0.0  #: 0 to 1; a contact takes the smaller of two
+    restitution: float = 0.0  #: 0 to 2; above 1 an impact adds energy
     rolling_resistance: float = 0.0  #: >= 0; as share of the radius
+    surface_speed: float = 0.0  #: m/s, clockwise around the body, as of a belt
+    friction_rule: MixRule = MixRule.GEOMETRIC_MEAN
+    restitution_rule: MixRule = MixRule.MINIMUM
 
 
 def with_friction(friction: float, restitution: float = 0.0) -> Material:
@@ -135,7 +148,8 @@ def to_filter(which: Filter) -> c.Filter:
 
 
 def to_material(m: Material) -> c.Material:
-    return c.Material(*dataclasses.astuple(m))
+    *numbers, friction, restitution = dataclasses.astuple(m)
+    return c.Material(*numbers, int(friction), int(restitution))
 
 
 def to_range(limits: Optional[Tuple[float, float]]) -> c.Range:
@@ -155,7 +169,8 @@ def from_transform(t: c.Transform) -> Transform:
 
 
 def from_material(m: c.Material) -> Material:
-    return Material(*(getattr(m, name) for name, _ in c.Material._fields_))
+    *numbers, friction, restitution = (getattr(m, name) for name, _ in c.Material._fields_)
+    return Material(*numbers, MixRule(friction), MixRule(restitution))
 
 
 def from_body_id(i: c.BodyId) -> BodyId:

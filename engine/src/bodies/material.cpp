@@ -8,6 +8,32 @@
 
 namespace kodo {
 inline namespace KODO_PRECISION {
+namespace {
+
+Real mixed(MixRule rule, Real a, Real b) {
+    switch (rule) {
+    case MixRule::GeometricMean:
+        break;
+    case MixRule::Minimum:
+        return std::min(a, b);
+    case MixRule::Mean:
+        return (a + b) / 2;
+    case MixRule::Multiply:
+        return a * b;
+    case MixRule::Maximum:
+        return std::max(a, b);
+    }
+    return std::sqrt(a * b);
+}
+
+std::optional<Problem> checkRule(const char* field, MixRule rule) {
+    if (rule <= MixRule::Maximum) {
+        return std::nullopt;
+    }
+    return Problem{field, "must be one of the enumerators of MixRule"};
+}
+
+} // namespace
 
 std::optional<Problem> check(const Material& material) {
     constexpr Real kMost = Real(1e6);
@@ -22,17 +48,34 @@ std::optional<Problem> check(const Material& material) {
         }
         return problem;
     }
-    if (auto problem = checkRange("material.restitution", material.restitution, 0, 1)) {
+    if (auto problem =
+            checkRange("material.restitution", material.restitution, 0, kMaxRestitution)) {
         return problem;
     }
-    return checkRange("material.rollingResistance", material.rollingResistance, 0, kMost);
+    if (auto problem =
+            checkRange("material.rollingResistance", material.rollingResistance, 0, kMost)) {
+        return problem;
+    }
+    if (auto problem = checkRange("material.surfaceSpeed", material.surfaceSpeed, -kMaxSpeed,
+                                  kMaxSpeed, "m/s")) {
+        return problem;
+    }
+    if (auto problem = checkRule("material.frictionRule", material.frictionRule)) {
+        return problem;
+    }
+    return checkRule("material.restitutionRule", material.restitutionRule);
 }
 
 Material mix(const Material& a, const Material& b) {
-    return {std::sqrt(a.staticFriction * b.staticFriction),
-            std::sqrt(a.kineticFriction * b.kineticFriction),
-            std::min(a.restitution, b.restitution),
-            std::max(a.rollingResistance, b.rollingResistance)};
+    const MixRule friction = std::max(a.frictionRule, b.frictionRule);
+    const MixRule restitution = std::max(a.restitutionRule, b.restitutionRule);
+    return {mixed(friction, a.staticFriction, b.staticFriction),
+            mixed(friction, a.kineticFriction, b.kineticFriction),
+            mixed(restitution, a.restitution, b.restitution),
+            std::max(a.rollingResistance, b.rollingResistance),
+            a.surfaceSpeed + b.surfaceSpeed,
+            friction,
+            restitution};
 }
 
 } // namespace KODO_PRECISION

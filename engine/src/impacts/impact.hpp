@@ -27,6 +27,10 @@ struct Impact {
     Vec2 relativeVelocity(std::size_t i) const {
         return velocityAt(*b, point(i).armB) - velocityAt(*a, point(i).armA);
     }
+    /// m/s along the tangent, of one surface against the other.
+    Real slidingSpeed(std::size_t i) const {
+        return dot(tangent(), relativeVelocity(i)) + contact->material.surfaceSpeed;
+    }
     /// True if an impulse along the normal moves neither body.
     bool blocked(std::size_t i) const { return isBlocked(*bodies, *contact, i); }
     /// Applies an impact impulse (N s) along normal and tangent.

@@ -35,7 +35,7 @@ constexpr Real kHardest = 16;
 /// j stops all sliding, or is the nearest value within the friction cone |j| <= mu p_n. No impact
 /// may gain energy, as friction together with restitution could [Chatterjee98]:
 ///
-///   m j^2 + 2 u j <= (1 - e^2) K_nn stop^2,  m = K_tt - K_nt^2/K_nn,  u = v_t + K_nt stop
+///   m j^2 + 2 u j <= max(1 - e^2, 0) K_nn stop^2,  m = K_tt - K_nt^2/K_nn,  u = v_t + K_nt stop
 Real frictionOf(const Response& k, const Material& material, Real stop, Real sliding) {
     const Real e = material.restitution;
     const Real coupling = k.nt / k.nn;
@@ -51,7 +51,7 @@ Real frictionOf(const Response& k, const Material& material, Real stop, Real sli
         j = j > 0 ? std::min(j, most) : std::max(j, most);
     }
     const Real u = sliding + k.nt * stop;
-    const Real root = std::sqrt(u * u + m * (1 - e * e) * k.nn * stop * stop);
+    const Real root = std::sqrt(u * u + m * std::max(1 - e * e, Real(0)) * k.nn * stop * stop);
     return std::clamp(j, (-u - root) / m, (-u + root) / m);
 }
 
@@ -60,14 +60,14 @@ Real frictionOf(const Response& k, const Material& material, Real stop, Real sli
 void hitPoint(const Impact& hit, std::size_t i) {
     const Vec2 n = hit.normal();
     const Vec2 t = hit.tangent();
-    const Vec2 v = hit.relativeVelocity(i);
     const Response k{response(hit, i, n, i, n), response(hit, i, n, i, t),
                      response(hit, i, t, i, t)};
     const Material& material = hit.contact->material;
-    const Real stop = -dot(n, v) / k.nn;
+    const Real stop = -dot(n, hit.relativeVelocity(i)) / k.nn;
     const bool slides = !hit.frictionless && material.staticFriction > 0;
     const bool givesWay = k.nn * k.tt - k.nt * k.nt >= kSingular * k.nn * k.tt;
-    const Real frictionImpulse = slides && givesWay ? frictionOf(k, material, stop, dot(t, v)) : 0;
+    const Real frictionImpulse =
+        slides && givesWay ? frictionOf(k, material, stop, hit.slidingSpeed(i)) : 0;
     hit.push(i, (1 + material.restitution) * stop - k.nt / k.nn * frictionImpulse, frictionImpulse);
 }
 
@@ -78,7 +78,7 @@ void applyFriction(const Impact& hit, std::size_t i, Real jn) {
     if (!(k > 0)) {
         return; // neither body gives way along the tangent
     }
-    const Real stopping = -dot(t, hit.relativeVelocity(i)) / k;
+    const Real stopping = -hit.slidingSpeed(i) / k;
     const Material& material = hit.contact->material;
     const FrictionLimits<Real> limits{material.staticFriction, material.kineticFriction, jn, 1};
     hit.push(i, 0, frictionImpulse(limits, stopping).impulse);

@@ -41,7 +41,6 @@ void SimultaneousImpacts::addPoints(const Impact& hit, const Tolerances& toleran
         const Real kt = response(hit, i, tangent, i, tangent);
         const bool slides = !hit.frictionless && material.staticFriction > 0 && kt > 0;
         const auto& [armA, armB, then, feature] = hit.point(i);
-        const Vec2 velocity = hit.relativeVelocity(i);
         points_.push_back({.a = hit.a,
                            .b = hit.b,
                            .normal = normal,
@@ -55,8 +54,9 @@ void SimultaneousImpacts::addPoints(const Impact& hit, const Tolerances& toleran
                            .tangentialMass = slides ? 1 / kt : 0,
                            .staticFriction = material.staticFriction,
                            .kineticFriction = material.kineticFriction,
+                           .surfaceSpeed = material.surfaceSpeed,
                            .impact = hit.lane.impact(i),
-                           .before = {dot(normal, velocity), dot(tangent, velocity)},
+                           .before = {-speed, hit.slidingSpeed(i)},
                            .hit = &hit,
                            .index = i});
     }
@@ -84,7 +84,7 @@ bool SimultaneousImpacts::iterate(Real tolerance, int most) {
             if (!(point.tangentialMass > 0)) {
                 continue;
             }
-            const Real sliding = dot(point.tangent, point.relativeVelocity());
+            const Real sliding = point.slidingSpeed();
             const Real stopping = point.friction - sliding * point.tangentialMass;
             const Real friction =
                 frictionImpulse<Real>({point.staticFriction, point.kineticFriction, next, 1},
@@ -124,9 +124,10 @@ bool SimultaneousImpacts::gainsEnergy() const {
     Real moved = 0;  // J, sum of magnitudes
     for (const Point& point : points_) {
         const Vec2 velocity = point.relativeVelocity();
-        const Vec2 after{dot(point.normal, velocity), dot(point.tangent, velocity)};
+        const Vec2 after{dot(point.normal, velocity), point.slidingSpeed()};
         const Vec2 impulse{point.impulse, point.friction};
-        gained += dot(impulse, point.before + after);
+        const Real asked = std::max(point.target + point.before.x, Real(0)); // 0 for e <= 1
+        gained += dot(impulse, point.before + after) - point.impulse * asked;
         moved += std::abs(impulse.x * point.before.x) + std::abs(impulse.y * point.before.y);
     }
     return gained > kGain * moved;

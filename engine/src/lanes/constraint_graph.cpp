@@ -180,7 +180,7 @@ void ContactBlocks::forgetLanes() {
     blocks_.clear();
     use_.clear();
     states_.clear();
-    rolling_.clear();
+    surfaces_.clear();
     passOrder_.clear();
     rows_ = {};
     lanesState_ += 2;

@@ -50,7 +50,7 @@ struct alignas(64) ContactBlock {
     Each relativeDisplacement; // m; these four are not used by the passes: see ContactNumbers
     Each approachSpeed;        // m/s
     Each impact[2];            // N s
-    Each rolling;              // N m s, of the substep; see RollingBlock
+    Each rolling;              // N m s, of the substep; see SurfaceBlock
     Each tangentLeverA;        // m, for the mean of both points, which share one friction impulse
     Each tangentLeverB;
     Each tangentMass;    // kg
@@ -62,10 +62,12 @@ struct alignas(64) ContactBlock {
 };
 static_assert(sizeof(ContactBlock) - 8 * (2 * 4 + 27 * sizeof(Real)) < 64);
 
-/// Coefficients of the contacts of a block that have rolling resistance.
-struct RollingBlock {
-    ContactBlock::Each lever; // m; 0 without rolling resistance
-    ContactBlock::Each mass;  // kg m^2
+/// Coefficients of the contacts of a block of which some have rolling resistance or a surface
+/// speed.
+struct SurfaceBlock {
+    ContactBlock::Each rollingLever; // m; 0 without rolling resistance
+    ContactBlock::Each rollingMass;  // kg m^2
+    ContactBlock::Each speed;        // m/s, along perp(normal); see relativeSurfaceSpeed
 };
 
 /// The body that all lanes of a block share. Each lane pushes a copy of it with an eighth of mass
@@ -75,13 +77,14 @@ enum class Shared : std::uint8_t { None, BodyA, BodyB };
 
 /// Which data and lanes of a block are in use.
 struct BlockUse {
-    std::int32_t rolling = -1; // index of its RollingBlock, or -1
+    std::int32_t surface = -1; // index of its SurfaceBlock, or -1
     bool twoPoints = false;    // all contacts have two points, else all have one
     bool onLocked = false;     // all contacts have a body of infinite mass: doubled frequency
     std::uint8_t movesA = 0;   // lane mask: body a is not locked
     std::uint8_t movesB = 0;
     Shared shared = Shared::None;
-    bool stiction = false; // some contact has a static friction above the kinetic one
+    /// Some contact has a surface speed, or a static friction above the kinetic one.
+    bool rareFriction = false;
 };
 
 /// Values shared by all contacts in a substep.
@@ -100,7 +103,7 @@ struct PassSettings {
 /// One pass over `count` blocks in the order of `order`. `motion` is indexed by body.
 struct ContactPassArguments {
     ContactBlock* blocks;
-    RollingBlock* rolling;
+    SurfaceBlock* surfaces;
     const BlockUse* use;
     const std::uint32_t* order;
     std::size_t count;

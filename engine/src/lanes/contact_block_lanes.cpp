@@ -88,14 +88,16 @@ void fillLane(ContactBlock& block, std::size_t lane, const Bodies& bodies, const
     block.pushSpeed[lane] = rules.pushSpeed;
 }
 
-void fillLane(RollingBlock& rolling, ContactBlock& block, std::size_t lane, const Bodies& bodies,
-              const Contact& contact, Shared shared) {
-    const std::pair<BodyVelocity, BodyVelocity> both = masses(bodies, contact, shared);
+void fillLane(SurfaceBlock& surface, ContactBlock& block, std::size_t lane, const Bodies& bodies,
+              const Contact& contact, const LaneRules& rules) {
+    const std::pair<BodyVelocity, BodyVelocity> both = masses(bodies, contact, rules.shared);
     const BodyVelocity& a = both.first;
     const BodyVelocity& b = both.second;
-    const bool rolls = contact.material.rollingResistance > 0 && a.invInertia + b.invInertia > 0;
-    rolling.lever[lane] = rollingLever(contact, a, b);
-    rolling.mass[lane] = rolls ? 1 / (a.invInertia + b.invInertia) : Real(0);
+    const bool rolls =
+        rules.rolling && contact.material.rollingResistance > 0 && a.invInertia + b.invInertia > 0;
+    surface.rollingLever[lane] = rolls ? rollingLever(contact, a, b) : Real(0);
+    surface.rollingMass[lane] = rolls ? 1 / (a.invInertia + b.invInertia) : Real(0);
+    surface.speed[lane] = contact.material.surfaceSpeed;
     block.rolling[lane] = rolls ? block.rolling[lane] : Real(0);
 }
 

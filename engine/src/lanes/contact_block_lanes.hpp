@@ -13,6 +13,7 @@ inline namespace KODO_PRECISION {
 struct LaneRules {
     Real pushSpeed; // m/s
     Shared shared;
+    bool rolling; // Feature::RollingResistance is on
 };
 
 /// Writes the coefficients of a contact into its lane, except its bodies. The sums of the step
@@ -22,8 +23,8 @@ void fillLane(ContactBlock& block, std::size_t lane, const Bodies& bodies, const
 
 /// Rolling resistance is a torque of at most resistance * radius * normal force. The radius is the
 /// distance from the centre of the body to the contact [Thesis06, 4.3.3].
-void fillLane(RollingBlock& rolling, ContactBlock& block, std::size_t lane, const Bodies& bodies,
-              const Contact& contact, Shared shared);
+void fillLane(SurfaceBlock& surface, ContactBlock& block, std::size_t lane, const Bodies& bodies,
+              const Contact& contact, const LaneRules& rules);
 
 /// Resets a lane so that it applies no impulse.
 void clearLane(ContactBlock& block, std::size_t lane);

@@ -51,9 +51,9 @@ void ContactBlocks::begin(const ContactList& contacts, bool friction, bool rolli
     const Features before = std::exchange(features_, {friction, rolling});
     lanesStale_ = lanesStale_ || features_ != before;
     if (rolling != before.rolling) {
-        rolling_.clear();
+        surfaces_.clear();
         for (BlockUse& use : use_) {
-            use.rolling = -1;
+            use.surface = -1;
         }
     }
     if (std::exchange(orderStale_, false)) {
@@ -62,10 +62,10 @@ void ContactBlocks::begin(const ContactList& contacts, bool friction, bool rolli
     std::fill(taken_.begin(), taken_.end(), std::uint8_t{0});
 }
 
-/// True if the contact needs a RollingBlock that its block lacks.
-bool ContactBlocks::needsRolling(const ContactEntry& entry) const {
-    return features_.rolling && entry.contact.material.rollingResistance > 0 &&
-           use_[blockOf(entry.summary.row.index)].rolling < 0;
+/// True if the block of the contact needs a SurfaceBlock.
+bool ContactBlocks::needsSurface(const Contact& contact) const {
+    return (features_.rolling && contact.material.rollingResistance > 0) ||
+           contact.material.surfaceSpeed != 0;
 }
 
 bool ContactBlocks::take(const Bodies& bodies, const ContactEntry& entry) {
@@ -78,7 +78,8 @@ bool ContactBlocks::take(const Bodies& bodies, const ContactEntry& entry) {
     }
     taken_[summary.row.index] = 1;
     if (!valid) {
-        if (!fitsBin(entry) || needsRolling(entry)) {
+        const bool lacksSurface = use_[blockOf(summary.row.index)].surface < 0;
+        if (!fitsBin(entry) || (lacksSurface && needsSurface(contact))) {
             return false;
         }
         fill(bodies, entry);
@@ -143,9 +144,9 @@ void ContactBlocks::empty(std::uint32_t row) {
     block.a[lane] = block.b[lane] = velocityOffset(spare_);
     use_[blockOf(row)].movesA &= static_cast<std::uint8_t>(~laneMask(row));
     use_[blockOf(row)].movesB &= static_cast<std::uint8_t>(~laneMask(row));
-    if (const std::int32_t rolling = use_[blockOf(row)].rolling; rolling >= 0) {
-        RollingBlock& own = rolling_[static_cast<std::size_t>(rolling)];
-        own.lever[lane] = own.mass[lane] = 0;
+    if (const std::int32_t surface = use_[blockOf(row)].surface; surface >= 0) {
+        SurfaceBlock& own = surfaces_[static_cast<std::size_t>(surface)];
+        own.rollingLever[lane] = own.rollingMass[lane] = own.speed[lane] = 0;
     }
 }
 
@@ -241,17 +242,19 @@ void ContactBlocks::fill(const Bodies& bodies, const ContactEntry& entry) {
     const std::size_t lane = laneOf(row);
     ContactBlock& block = blocks_[blockOf(row)];
     BlockUse& use = use_[blockOf(row)];
-    fillLane(block, lane, bodies, contact, {pushLimit_.speed, use.shared});
-    if (contact.material.staticFriction > contact.material.kineticFriction) {
-        use.stiction = true;
+    const LaneRules rules{pushLimit_.speed, use.shared, features_.rolling};
+    fillLane(block, lane, bodies, contact, rules);
+    if (contact.material.staticFriction > contact.material.kineticFriction ||
+        contact.material.surfaceSpeed != 0) {
+        use.rareFriction = true;
     }
-    if (features_.rolling && contact.material.rollingResistance > 0 && use.rolling < 0) {
-        use.rolling = static_cast<std::int32_t>(rolling_.size());
-        rolling_.emplace_back();
+    if (use.surface < 0 && needsSurface(contact)) {
+        use.surface = static_cast<std::int32_t>(surfaces_.size());
+        surfaces_.emplace_back();
     }
-    if (use.rolling >= 0) {
-        fillLane(rolling_[static_cast<std::size_t>(use.rolling)], block, lane, bodies, contact,
-                 use.shared);
+    if (use.surface >= 0) {
+        fillLane(surfaces_[static_cast<std::size_t>(use.surface)], block, lane, bodies, contact,
+                 rules);
     } else {
         block.rolling[lane] = 0;
     }
@@ -261,7 +264,7 @@ void ContactBlocks::fill(const Bodies& bodies, const ContactEntry& entry) {
 ContactPassArguments ContactBlocks::pass(Bodies& bodies, std::uint32_t level,
                                          const PassSettings& settings) {
     const std::span<const std::uint32_t> order = passOrder_.blocks(level);
-    return {blocks_.data(), rolling_.data(),      use_.data(), order.data(),
+    return {blocks_.data(), surfaces_.data(),     use_.data(), order.data(),
             order.size(),   bodies.motion.data(), settings,    areFar()};
 }
 

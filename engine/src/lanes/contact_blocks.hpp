@@ -144,7 +144,7 @@ private:
         return states_[blockOf(entry.summary.row.index)].bin == binOf(entry);
     }
     bool areFar() const { return blocks_.size() * sizeof(ContactBlock) > kNearBytes; }
-    bool needsRolling(const ContactEntry& entry) const;
+    bool needsSurface(const Contact& contact) const;
     void assignRows(const ContactList& contacts);
     void assignRow(const ContactEntry& entry);
     void leaveAll(const ContactList& contacts);
@@ -176,7 +176,7 @@ private:
 
     std::vector<std::uint64_t> colours_; // by body: mask of the colours of its contacts
     std::vector<BlockUse> use_;          // by block
-    std::vector<RollingBlock> rolling_;
+    std::vector<SurfaceBlock> surfaces_;
     PassOrder passOrder_;
     std::array<std::size_t, kLevels> rows_{}; // by level: lanes in use
     std::size_t uncoloured_ = 0;              // lanes in use without a colour

@@ -142,11 +142,14 @@ KODO_LANES_INLINE Lanes pushPoint(ContactBlock::Point& point, int at, Lanes uncl
     return next - impulse;
 }
 
-KODO_LANES_INLINE void solveRolling(const RollingBlock& rolling, ContactBlock& block, int at,
+KODO_LANES_INLINE void solveRolling(const SurfaceBlock* surface, ContactBlock& block, int at,
                                     Pair& pair, Lanes pressed) {
+    if (surface == nullptr) {
+        return;
+    }
     const Lanes impulse = load(block.rolling + at);
-    const Lanes limit = load(rolling.lever + at) * pressed;
-    const Lanes wanted = impulse - load(rolling.mass + at) * (pair.b.z - pair.a.z);
+    const Lanes limit = load(surface->rollingLever + at) * pressed;
+    const Lanes wanted = impulse - load(surface->rollingMass + at) * (pair.b.z - pair.a.z);
     const Lanes next = within<Lanes>(limit, wanted);
     store(block.rolling + at, next);
     spin(pair, next - impulse, next - impulse);
@@ -172,8 +175,8 @@ KODO_LANES_INLINE Pair gatherPair(const ContactBlock& block, int at, BodyVelocit
 /// t is the tangent; k1t has no 1/m since tangent and normal are perpendicular. k2t is the same for
 /// the second point. So the result is that of sequential impulses, with a short dependency chain.
 /// The function is not split: the compiler would keep a struct of these values in memory.
-template <Task task, int points, bool isShared, bool stiction>
-KODO_LANES_INLINE void solveLanes(ContactBlock& block, const RollingBlock* rolling, int at,
+template <Task task, int points, bool isShared, bool rare>
+KODO_LANES_INLINE void solveLanes(ContactBlock& block, const SurfaceBlock* surface, int at,
                                   BodyVelocity* motion, const Rules& rules) {
     const Lanes nx = load(block.normalX + at);
     const Lanes ny = load(block.normalY + at);
@@ -199,21 +202,23 @@ KODO_LANES_INLINE void solveLanes(ContactBlock& block, const RollingBlock* rolli
     const Unclamped second = wantedAt(point2, line2);
     const Lanes response12 = (pair.a.w + pair.b.w) + turnCoupling(line2, line1);
     const Lanes tangentMass = load(block.tangentMass + at);
-    Lanes stopping =
-        load(block.friction + at) -
-        tangentMass * ((nx * dy - ny * dx) + speedOfTurns(tangent, pair.a.z, pair.b.z));
+    Lanes sliding = (nx * dy - ny * dx) + speedOfTurns(tangent, pair.a.z, pair.b.z);
+    if (rare && surface != nullptr) {
+        sliding += load(surface->speed + at);
+    }
+    Lanes stopping = load(block.friction + at) - tangentMass * sliding;
     const Lanes coupling1t = tangentMass * turnCoupling(line1, tangent);
     const Lanes coupling2t = tangentMass * turnCoupling(line2, tangent);
     const Together wanted = together < points == 2 && task == Task::Relax,
-                   stiction > (block, at, first, second,
-                               {response12, coupling1t, coupling2t, tangentMass, stopping});
+                   rare > (block, at, first, second,
+                           {response12, coupling1t, coupling2t, tangentMass, stopping});
     Lanes change = pushPoint<task>(point1, at, wanted.first, rules.settings.kept);
     Lanes sum = load(point1.impulse + at);
     spin(pair, line1, change);
     stopping -= coupling1t * change;
     if constexpr (points == 2) {
         const Lanes alone = second.impulse - second.mass * response12 * change;
-        const Lanes next = stiction ? (wanted.sticks ? wanted.second : alone) : alone;
+        const Lanes next = rare ? (wanted.sticks ? wanted.second : alone) : alone;
         const Lanes more = pushPoint<task>(point2, at, next, rules.settings.kept);
         sum += load(point2.impulse + at);
         spin(pair, line2, more);
@@ -222,37 +227,35 @@ KODO_LANES_INLINE void solveLanes(ContactBlock& block, const RollingBlock* rolli
     }
     push(pair, nx, ny, change);
     if (task == Task::Relax && rules.settings.friction) {
-        const Lanes rubbed = applyFriction<stiction>(block, at, stopping, sum, rules.settings.left);
+        const Lanes rubbed = applyFriction<rare>(block, at, stopping, sum, rules.settings.left);
         push(pair, -ny, nx, rubbed);
         spin(pair, tangent, rubbed);
     }
-    if (rolling != nullptr) {
-        solveRolling(*rolling, block, at, pair, sum);
-    }
+    solveRolling(surface, block, at, pair, sum);
     addTotal<task>(block, at, sum, rules.settings.kept);
     putBackPair<isShared>(pair, block, at, motion, rules.use, rules.copies);
 }
 
-template <Task task, int points, bool isShared, bool stiction = false>
-KODO_LANES_INLINE void solveBlock(ContactBlock& block, const RollingBlock* rolling,
+template <Task task, int points, bool isShared, bool rare = false>
+KODO_LANES_INLINE void solveBlock(ContactBlock& block, const SurfaceBlock* surface,
                                   BodyVelocity* motion, const Rules& rules) {
     for (int at = 0; at < ContactBlock::kContacts; at += kLanes) {
-        solveLanes<task, points, isShared, stiction>(block, rolling, at, motion, rules);
+        solveLanes<task, points, isShared, rare>(block, surface, at, motion, rules);
     }
     if constexpr (isShared) {
         averageCopies(block, motion, rules.use, rules.copies);
     }
 }
 
-/// solveBlock() for a block with a shared body, or in the relax pass for one whose static friction
-/// differs from the kinetic one. Not inlined: both are rare.
-template <Task task, bool isShared, bool stiction>
-__attribute__((noinline)) void solveRare(ContactBlock& block, const RollingBlock* rolling,
+/// solveBlock() for a block with a shared body, or in the relax pass for one with rareFriction.
+/// Not inlined: both are rare.
+template <Task task, bool isShared, bool rare>
+__attribute__((noinline)) void solveRare(ContactBlock& block, const SurfaceBlock* surface,
                                          BodyVelocity* motion, const Rules& rules) {
     if (rules.use.twoPoints) {
-        solveBlock<task, 2, isShared, stiction>(block, rolling, motion, rules);
+        solveBlock<task, 2, isShared, rare>(block, surface, motion, rules);
     } else {
-        solveBlock<task, 1, isShared, stiction>(block, rolling, motion, rules);
+        solveBlock<task, 1, isShared, rare>(block, surface, motion, rules);
     }
 }
 
@@ -267,18 +270,18 @@ void solveBlocks(const ContactPassArguments& pass) {
         const Softness& soft = use.onLocked ? settings.onLocked : settings.soft;
         Copies copies;
         const Rules rules{soft.biasRate, soft.massScale, settings, use, copies};
-        const RollingBlock* const rolling = use.rolling < 0 ? nullptr : pass.rolling + use.rolling;
+        const SurfaceBlock* const surface = use.surface < 0 ? nullptr : pass.surfaces + use.surface;
         ContactBlock& block = pass.blocks[i];
-        const bool stiction = task == Task::Relax && use.stiction;
+        const bool rare = task == Task::Relax && use.rareFriction;
         if (use.shared != Shared::None) {
-            (stiction ? solveRare<task, true, task == Task::Relax>
-                      : solveRare<task, true, false>)(block, rolling, pass.motion, rules);
-        } else if (stiction) {
-            solveRare<task, false, task == Task::Relax>(block, rolling, pass.motion, rules);
+            (rare ? solveRare<task, true, task == Task::Relax>
+                  : solveRare<task, true, false>)(block, surface, pass.motion, rules);
+        } else if (rare) {
+            solveRare<task, false, task == Task::Relax>(block, surface, pass.motion, rules);
         } else if (use.twoPoints) {
-            solveBlock<task, 2, false>(block, rolling, pass.motion, rules);
+            solveBlock<task, 2, false>(block, surface, pass.motion, rules);
         } else {
-            solveBlock<task, 1, false>(block, rolling, pass.motion, rules);
+            solveBlock<task, 1, false>(block, surface, pass.motion, rules);
         }
     }
 }
@@ -303,7 +306,7 @@ void warmStartBlocks(const ContactPassArguments& pass) {
             const Lanes friction = load(block.friction + at);
             const Lanes first = load(block.points[0].impulse + at);
             const Lanes second = load(block.points[1].impulse + at);
-            const Lanes roll = use.rolling < 0 ? Lanes{} : load(block.rolling + at);
+            const Lanes roll = use.surface < 0 ? Lanes{} : load(block.rolling + at);
             const Lanes sum = first + second;
             const auto momentBy = [&](const auto& lever1, const auto& lever2, const auto& tangent) {
                 return load(lever1 + at) * first + load(lever2 + at) * second +

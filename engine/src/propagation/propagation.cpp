@@ -222,6 +222,7 @@ void Propagation::addRow(const Bodies& bodies, const Contact& contact, std::uint
     if (settings.has(Feature::Friction)) {
         row.staticFriction = contact.material.staticFriction;
         row.kineticFriction = contact.material.kineticFriction;
+        row.surfaceSpeed = contact.material.surfaceSpeed;
     }
     if (settings.has(Feature::RollingResistance)) {
         row.rollingLever = rollingLever(contact, bodies.motion[row.a], bodies.motion[row.b]);

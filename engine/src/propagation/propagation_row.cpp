@@ -103,7 +103,8 @@ void solveFriction(PropagationRow& row, const Pair& pair) {
     if (!(k > 0)) {
         return;
     }
-    const Real stopping = row.friction - pair.speed(t, row.tangentLeverA, row.tangentLeverB) / k;
+    const Real sliding = pair.speed(t, row.tangentLeverA, row.tangentLeverB) + row.surfaceSpeed;
+    const Real stopping = row.friction - sliding / k;
     const Real next =
         frictionImpulse<Real>({row.staticFriction, row.kineticFriction, row.load(), 1}, stopping)
             .impulse;

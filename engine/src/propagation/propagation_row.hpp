@@ -31,6 +31,7 @@ struct PropagationRow {
     Real friction; // N s, sum so far
     Real staticFriction;
     Real kineticFriction;
+    Real surfaceSpeed;   // m/s, along perp(normal)
     Real rollingLever;   // m; 0 without rolling resistance
     Real rolling;        // N m s, sum so far
     std::uint32_t level; // the higher level of its bodies; see ShockLevels

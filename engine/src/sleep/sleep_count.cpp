@@ -210,7 +210,9 @@ bool SleepSystem::followIsland(std::uint32_t start, std::uint32_t search, const 
         const std::uint32_t body = reached_[next];
         contacts.store().lists().forEach(body, [&](std::uint32_t slot) {
             const ContactSummary& summary = summaries[slot];
-            if (!summary.sensor && contacts.contacts()[slot].touching) {
+            const Contact& contact = contacts.contacts()[slot];
+            if (!summary.sensor && contact.touching) {
+                calm = calm && contact.material.surfaceSpeed == 0; // a belt conveys what it carries
                 reach(summary.bodyA == body ? summary.bodyB : summary.bodyA);
             }
         });

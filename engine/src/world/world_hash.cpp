@@ -23,6 +23,18 @@ bool isSharp(const Primitive& primitive) {
         primitive);
 }
 
+/// Numbers that most materials do not have count only if a material has them.
+void writeMaterial(StateStream& stream, const Material& material) {
+    const auto& [staticFriction, kineticFriction, restitution, rolling, speed, frictionRule,
+                 restitutionRule] = material;
+    stream.write(staticFriction, kineticFriction, restitution, rolling);
+    constexpr Material kUsual;
+    if (speed != 0 || frictionRule != kUsual.frictionRule ||
+        restitutionRule != kUsual.restitutionRule) {
+        stream.write(speed, frictionRule, restitutionRule);
+    }
+}
+
 /// Adds what decides the future beside the motion: settings, fields, geometry, materials, user
 /// data and the numbers of joints. Of a user's own fields only that they exist.
 void addDefinitions(StateHash& hash, const WorldImpl& world) {
@@ -48,7 +60,8 @@ void addDefinitions(StateHash& hash, const WorldImpl& world) {
             if (isSharp(part.primitive)) { // a radius, the last member, counts only if it rounds
                 stream.drop(sizeof(Real));
             }
-            stream.write(part.material, part.density);
+            writeMaterial(stream, part.material);
+            stream.write(part.density);
         }
         for (const SetMass& set : list.setMasses) { // nothing is added if none was set
             stream.write(set);
