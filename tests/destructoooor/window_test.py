@@ -13,8 +13,8 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "display
 from virtual_screen import (Program, Screen, check, difference, judged, run_without_display,  # noqa: E402
                             skip_without_tools, wait_until)
 
-SCENE = "900x640+20+80"  # without panel and help
-PANEL = "320x500+955+0"
+SCENE = "720x600+240+10"  # between the panels
+RIGHT = "300x700+975+10"
 MANY = 500  # pixels
 
 
@@ -22,18 +22,22 @@ def check_without_display(program):
     plain = run_without_display(program)
     check("without a display it says so and exits with 3",
           plain.returncode == 3 and "no display" in plain.stderr)
-    wrong = run_without_display(program, "--scene", "5")
+    wrong = run_without_display(program, "--scene", "No such scene")
     check("a scene that is not there is refused in a sentence",
-          wrong.returncode == 2 and "--scene" in wrong.stderr)
+          wrong.returncode == 2 and "--list" in wrong.stderr)
+    listed = run_without_display(program, "--list")
+    check("all scenes are listed without a display",
+          listed.returncode == 0 and len(listed.stdout.splitlines()) >= 60)
 
 
 def check_pictures(screen, program, report):
     """The same tower with few iterations, without and with shock propagation."""
     pictures = []
-    for name, shock in (("sandbox_plain.png", "0"), ("sandbox_shock.png", "2")):
-        path = report / name
-        result = screen.run(program, "--scene", "2", "--rest", "1", "--shock", shock, "--picture", str(path))
-        check(f"a picture with {shock} shock passes", result.returncode == 0 and path.stat().st_size > 10000)
+    for scene in ("off", "on"):
+        path = report / f"sandbox_shock_{scene}.png"
+        result = screen.run(program, "--scene", f"Shock propagation {scene}", "--picture", str(path))
+        check(f"a picture with shock propagation {scene}",
+              result.returncode == 0 and path.stat().st_size > 10000)
         pictures.append(path)
     check("shock propagation can be seen", difference(screen, *pictures, SCENE) > MANY)
 
@@ -46,30 +50,36 @@ def changed(demo, before, name, report, area):
 
 
 def work(screen, program, report):
-    with Program(screen, "Destructoooor!", program, "--scene", "1") as demo:
-        demo.key("space")  # pauses
+    with Program(screen, "Destructoooor!", program, "--scene", "Tower") as demo:
+        def mouse(*words):
+            screen.xdotool("mousemove", "--window", demo.window, *words)
+
         demo.wait_until_drawn(SCENE)
-        empty = demo.picture(report / "sandbox_1.png")
-        screen.xdotool("mousemove", "--window", demo.window, 400, 300, "click", 1)
-        dropped = changed(demo, empty, "sandbox_2.png", report, SCENE)
-        check("a click drops something", True)
-        demo.key("space")
-        fallen = changed(demo, dropped, "sandbox_3.png", report, SCENE)
-        check("it falls when the pause ends", True)
-        demo.key("2")
-        changed(demo, fallen, "sandbox_4.png", report, SCENE)
-        check("another scene comes by its number", True)
+        demo.key("space")  # pauses
+        demo.wait_until_still(SCENE)
+        demo.key("e")  # explosion
+        before = demo.picture(report / "sandbox_1.png")
+        mouse(560, 440, "click", 1)
+        demo.key("n", "n", "n", "n", "n", "n", "n", "n", "n", "n")
+        burst = changed(demo, before, "sandbox_2.png", report, SCENE)
+        check("an explosion moves the tower, step by step", True)
+        demo.key("b", "b", "b", "b", "b", "b", "b", "b", "b", "b")
+        changed(demo, burst, "sandbox_3.png", report, SCENE)
+        check("it goes back in time", True)
+        demo.key("Next")
+        changed(demo, burst, "sandbox_4.png", report, SCENE)
+        check("another scene comes by a key", True)
         before = demo.picture(report / "sandbox_5.png")
-        demo.key("Right", "Right", "Right", "Right", "Right", "Right", "Right", "Right")
-        wait_until("a key turns a knob",
-                   lambda: difference(screen, before, demo.picture(report / "sandbox_6.png"), PANEL) > 60)
-        check("keys change a number", True)
-        before = demo.picture(report / "sandbox_7.png")
-        screen.xdotool("mousemove", "--window", demo.window, 1000, 40, "mousedown", 1)
-        screen.xdotool("mousemove", "--window", demo.window, 1200, 75, "mouseup", 1)
+        mouse(1040, 88, "mousedown", 1)
+        mouse(1090, 88, "mouseup", 1)
         wait_until("the mouse moves a slider",
-                   lambda: difference(screen, before, demo.picture(report / "sandbox_8.png"), PANEL) > 60)
+                   lambda: difference(screen, before, demo.picture(report / "sandbox_6.png"), RIGHT) > 60)
         check("the mouse drags a slider", True)
+        before = demo.picture(report / "sandbox_7.png")
+        mouse(1004, 18, "click", 1)
+        mouse(1054, 18, "click", 1)
+        changed(demo, before, "sandbox_8.png", report, RIGHT)
+        check("the measures are a tab", True)
         demo.key("Escape")
         code, output = demo.wait_for_end()
         check(f"escape leaves: exit code {code}", code == 0)

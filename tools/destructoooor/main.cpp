@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Destructoooor!: a sandbox with four scenes and all parameters of the simulation [Thesis06,
-// Appendix A].
+// Destructoooor!: a sandbox of scenes in which every parameter of the simulation can be changed
+// [Thesis06, Appendix A].
 #include <kodo_sfml/display.hpp>
 
 #include <CLI/CLI.hpp>
@@ -8,8 +8,10 @@
 #include <chrono>
 #include <cstdio>
 #include <exception>
+#include <memory>
 
-#include "demo.hpp"
+#include "imgui_host.hpp"
+#include "panel.hpp"
 
 namespace destructoooor {
 namespace {
@@ -18,33 +20,55 @@ constexpr int kDone = 0;
 constexpr int kRefused = 2;
 constexpr int kNoDisplay = 3;
 const kodo_sfml::Rgba kBackground{30, 33, 40};
-const kodo_sfml::Size kPixels{1280, 800};
+const kodo_sfml::Size kPixels{1280, 720};
 
 struct Options {
-    int scene = 2;
-    int shock = 0;
-    int rest = 5;
-    int collision = 5;
-    unsigned steps = 240;
+    std::string scene = "Pyramid";
+    unsigned steps = 120;
     std::string picture;
+    bool list = false;
 };
 
-void prepare(Demo& demo, const Options& options) {
-    kodo::StepSettings settings = demo.sandbox().settings();
-    settings.propagation().shockPasses = options.shock;
-    settings.propagation().contactPasses = options.rest;
-    settings.propagation().impactPasses = options.collision;
-    demo.sandbox().setSettings(settings);
-    demo.sandbox().restart(static_cast<Scene>(options.scene - 1));
+std::optional<std::size_t> sceneNamed(std::string_view name) {
+    const std::span<const Scene> all = catalogue();
+    const auto found = std::ranges::find(all, name, &Scene::name);
+    return found != all.end() ? std::optional(static_cast<std::size_t>(found - all.begin()))
+                              : std::nullopt;
 }
 
-int takePicture(Demo& demo, const Options& options) {
-    for (unsigned step = 0; step < options.steps; ++step) {
-        demo.sandbox().step();
+void list() {
+    for (const Scene& scene : catalogue()) {
+        std::printf("%-22s %-32s %s\n", std::string(scene.group).c_str(),
+                    std::string(scene.name).c_str(), std::string(scene.question).c_str());
     }
+}
+
+/// Two frames: the first one tells the panels how large their content is.
+void frame(ImGuiHost& host, Panel& panel, Workbench& bench, kodo_sfml::Size pixels, float seconds) {
+    host.begin(pixels, seconds);
+    panel.build(bench, pixels);
+}
+
+int takePicture(Workbench& bench, const Options& options) {
+    for (unsigned step = 0; step < options.steps; ++step) {
+        bench.stepOnce();
+    }
+    std::unique_ptr<ImGuiHost> host;
+    Panel panel;
     kodo_sfml::Painter painter;
-    demo.draw(painter, kPixels);
-    if (!kodo_sfml::savePicture(painter, kPixels, kBackground, options.picture)) {
+    bench.setView(kPixels, {230, 0, 740, 624});
+    bench.showScene();
+    bench.draw(painter);
+    const bool written =
+        kodo_sfml::savePicture(painter, kPixels, kBackground, options.picture, [&] {
+            host = std::make_unique<ImGuiHost>(DESTRUCTOOOOR_FONT);
+            frame(*host, panel, bench, kPixels, 0.1f);
+            host->draw();
+            frame(*host, panel, bench, kPixels, 0.1f);
+            host->draw();
+            host.reset();
+        });
+    if (!written) {
         std::fprintf(stderr, "destructoooor: The picture cannot be written to %s.\n",
                      options.picture.c_str());
         return kRefused;
@@ -52,46 +76,50 @@ int takePicture(Demo& demo, const Options& options) {
     return kDone;
 }
 
-int play(Demo& demo) {
+int play(Workbench& bench) {
     using Clock = std::chrono::steady_clock;
     kodo_sfml::Window window("Destructoooor!", kPixels);
     kodo_sfml::Painter painter;
+    ImGuiHost host(DESTRUCTOOOOR_FONT);
+    Panel panel;
     auto last = Clock::now();
-    while (!demo.wantsToQuit()) {
+    bool first = true;
+    while (!bench.quit) {
         while (const auto event = window.nextEvent()) {
-            demo.take(*event);
+            host.take(*event);
+            const bool mouse = event->type == sf::Event::MouseButtonPressed ||
+                               event->type == sf::Event::MouseWheelScrolled;
+            const bool keys = event->type == sf::Event::KeyPressed;
+            if (event->type == sf::Event::Closed) {
+                bench.quit = true;
+            } else if (!(mouse && host.wantsMouse()) && !(keys && host.wantsKeys())) {
+                bench.take(*event);
+            }
         }
         const auto now = Clock::now();
-        demo.advance(std::chrono::duration<double>(now - last).count());
+        const double seconds = std::chrono::duration<double>(now - last).count();
         last = now;
-        demo.draw(painter, window.size());
-        window.show(painter, kBackground);
+        bench.advance(seconds);
+        frame(host, panel, bench, window.size(), static_cast<float>(seconds));
+        if (std::exchange(first, false)) {
+            bench.showScene();
+        }
+        painter.clear();
+        bench.draw(painter);
+        window.show(painter, kBackground, [&] { host.draw(); });
     }
-    window.close();
     return kDone;
 }
 
 int run(int argc, char** argv) {
     Options options;
-    CLI::App app(
-        "Destructoooor!: a sandbox of Kodo with four scenes. Bodies can be dropped in, and "
-        "parameters of the simulation can be changed while it runs.",
-        "destructoooor");
-    app.footer("Shock propagation stabilises a stack with few iterations. More collision and rest\n"
-               "iterations reduce overlap. The window lists the keys.\n"
+    CLI::App app("Destructoooor!: a sandbox of Kodo. Scenes with a question each; bodies can be "
+                 "thrown, cut, welded and tied, and every parameter changed while it runs.",
+                 "destructoooor");
+    app.footer("The window tells the keys, in the tab 'View'.\n"
                "Exit code: 0 done, 2 wrong use, 3 no display.");
-    app.add_option("--scene", options.scene, "1 ground, 2 tower, 3 pyramid, 4 pit")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 4));
-    app.add_option("--shock", options.shock, "Passes of shock propagation")
-        ->capture_default_str()
-        ->check(CLI::Range(0, 10));
-    app.add_option("--rest", options.rest, "Rest iterations")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 60));
-    app.add_option("--collision", options.collision, "Collision iterations")
-        ->capture_default_str()
-        ->check(CLI::Range(0, 40));
+    app.add_option("--scene", options.scene, "Name of a scene, see --list")->capture_default_str();
+    app.add_flag("--list", options.list, "Print all scenes, then exit");
     auto* picture = app.add_option("--picture", options.picture,
                                    "Write a picture (png) after some steps, then exit");
     app.add_option("--steps", options.steps, "Steps before the picture, 60 per second")
@@ -106,13 +134,23 @@ int run(int argc, char** argv) {
         std::fprintf(stderr, "destructoooor: %s. Try destructoooor --help.\n", error.what());
         return kRefused;
     }
+    if (options.list) {
+        list();
+        return kDone;
+    }
+    const std::optional<std::size_t> scene = sceneNamed(options.scene);
+    if (!scene) {
+        std::fprintf(stderr, "destructoooor: There is no scene '%s'. --list prints all of them.\n",
+                     options.scene.c_str());
+        return kRefused;
+    }
     if (!kodo_sfml::displayAvailable()) {
         std::fprintf(stderr, "destructoooor: There is no display for the window. Set DISPLAY.\n");
         return kNoDisplay;
     }
-    Demo demo(DESTRUCTOOOOR_FONT);
-    prepare(demo, options);
-    return options.picture.empty() ? play(demo) : takePicture(demo, options);
+    Workbench bench;
+    bench.open(*scene);
+    return options.picture.empty() ? play(bench) : takePicture(bench, options);
 }
 
 } // namespace

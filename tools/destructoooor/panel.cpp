@@ -1,99 +1,344 @@
 // SPDX-License-Identifier: MIT
 #include "panel.hpp"
 
-#include <array>
+#include <algorithm>
+#include <cfloat>
+#include <cstdio>
+#include <imgui.h>
+#include <stdexcept>
+#include <string>
+
+#include "dials.hpp"
 
 namespace destructoooor {
 
 namespace {
 
 // Pixels.
-constexpr float kMargin = 16;
-constexpr float kTop = 20;     // of the first knob
-constexpr float kPitch = 33;   // from knob to knob
-constexpr float kTrack = 6;    // height of the track of a slider
-constexpr float kGrip = 7;     // radius of the handle
-constexpr unsigned kText = 14; // height of text
+constexpr float kLeft = 230;
+constexpr float kRight = 310;
+constexpr float kBottom = 96;
+constexpr float kPlotHeight = 46;
 
-const kodo_sfml::Rgba kBack{22, 25, 32, 235};
-const kodo_sfml::Rgba kLine{70, 78, 92};
-const kodo_sfml::Rgba kFilled{86, 156, 214};
-const kodo_sfml::Rgba kQuiet{170, 178, 190};
-const kodo_sfml::Rgba kBright{255, 255, 255};
+constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                                    ImGuiWindowFlags_NoBringToFrontOnFocus;
 
-void fill(kodo_sfml::Painter& painter, kodo_sfml::Rect where, kodo_sfml::Rgba color) {
-    const std::array<kodo_sfml::Rgba, 4> colors = {color, color, color, color};
-    painter.rectangle(where, colors);
+void place(float x, float y, float width, float height) {
+    ImGui::SetNextWindowPos({x, y});
+    ImGui::SetNextWindowSize({width, height});
+}
+
+void words(std::string_view text) {
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    ImGui::PopTextWrapPos();
+}
+
+void hint(std::string_view text) {
+    if (ImGui::IsItemHovered()) {
+        ImGui::SetTooltip("%.*s", static_cast<int>(text.size()), text.data());
+    }
+}
+
+/// A graph of one member of the samples, with its last value.
+template <typename Get>
+void plot(const char* name, const char* unit, const std::vector<Sample>& samples, Get get) {
+    static std::vector<float> values;
+    values.clear();
+    for (const Sample& sample : samples) {
+        values.push_back(get(sample));
+    }
+    const float last = values.empty() ? 0 : values.back();
+    ImGui::Text("%s  %.4g %s", name, static_cast<double>(last), unit);
+    const auto [low, high] = std::ranges::minmax_element(values);
+    const float top = values.empty() ? 1 : *high;
+    ImGui::PushID(name);
+    ImGui::PlotLines("", values.data(), static_cast<int>(values.size()), 0, nullptr,
+                     values.empty() ? 0 : std::min(0.0f, *low), top > 0 ? 1.05f * top : 1,
+                     {-1, kPlotHeight});
+    ImGui::PopID();
+}
+
+/// One button for each profile; the one that was pressed.
+const Profile* profileButtons(const char* purpose) {
+    const Profile* chosen = nullptr;
+    ImGui::PushID(purpose);
+    for (const Profile& profile : profiles()) {
+        const std::string name(profile.name);
+        if (&profile != profiles().data()) {
+            ImGui::SameLine(0, 6);
+        }
+        if (ImGui::SmallButton(name.c_str())) {
+            chosen = &profile;
+        }
+    }
+    ImGui::PopID();
+    return chosen;
+}
+
+bool dial(const Dial& one, Workbench& bench) {
+    const double before = one.value(bench.sandbox);
+    const std::string name(one.name);
+    if (one.words.size() == 2 && one.words[0] == "off") {
+        bool on = before > 0;
+        if (!ImGui::Checkbox(name.c_str(), &on)) {
+            return false;
+        }
+        one.set(bench.sandbox, on ? 1 : 0);
+        return true;
+    }
+    if (!one.words.empty()) {
+        bool changed = false;
+        for (std::size_t i = 0; i < one.words.size(); ++i) {
+            const std::string word(one.words[i]);
+            if (i > 0) {
+                ImGui::SameLine();
+            }
+            if (ImGui::RadioButton(word.c_str(), before == static_cast<double>(i))) {
+                one.set(bench.sandbox, static_cast<double>(i));
+                changed = true;
+            }
+        }
+        return changed;
+    }
+    auto value = static_cast<float>(before);
+    ImGui::SetNextItemWidth(150);
+    const bool moved =
+        ImGui::SliderFloat(name.c_str(), &value, static_cast<float>(one.low),
+                           static_cast<float>(one.high), one.stride < 1 ? "%.2f" : "%.0f");
+    const double wanted = snapped(one, static_cast<double>(value));
+    if (!moved || wanted == before) {
+        return false;
+    }
+    one.set(bench.sandbox, wanted);
+    return true;
 }
 
 } // namespace
 
-Panel::Panel() : knobs_(makeKnobs()) {}
-
-kodo_sfml::Rect Panel::track(std::size_t knob) const {
-    const float y = kTop + kPitch * static_cast<float>(knob) + 21;
-    return {left() + kMargin, y, kWidth - 2 * kMargin, kTrack};
-}
-
-void Panel::setFrom(float x, Sandbox& sandbox) {
-    const Knob& knob = knobs_[*held_];
-    const kodo_sfml::Rect line = track(*held_);
-    const double share = static_cast<double>((x - line.left) / line.width);
-    knob.set(sandbox, snapped(knob, knob.low + share * (knob.high - knob.low)));
-}
-
-bool Panel::press(kodo_sfml::Pixel pixel, Sandbox& sandbox) {
-    if (pixel.x < left()) {
-        return false;
+void Panel::build(Workbench& bench, kodo_sfml::Size pixels) {
+    const auto width = static_cast<float>(pixels.x);
+    const auto height = static_cast<float>(pixels.y);
+    const kodo_sfml::Rect free{kLeft, 0, std::max(width - kLeft - kRight, 100.0f),
+                               std::max(height - kBottom, 100.0f)};
+    bench.setView(pixels, free);
+    place(0, 0, kLeft, height);
+    if (ImGui::Begin("scenes", nullptr, kFixed)) {
+        scenes(bench);
     }
-    for (std::size_t i = 0; i < knobs_.size(); ++i) {
-        const kodo_sfml::Rect line = track(i);
-        if (pixel.y >= line.top - 20 && pixel.y < line.top - 20 + kPitch) {
-            chosen_ = i;
-            held_ = i;
-            setFrom(pixel.x, sandbox);
+    ImGui::End();
+    place(width - kRight, 0, kRight, height);
+    if (ImGui::Begin("right", nullptr, kFixed) && ImGui::BeginTabBar("tabs")) {
+        const auto tab = [](const char* name, auto content) {
+            if (ImGui::BeginTabItem(name)) {
+                content();
+                ImGui::EndTabItem();
+            }
+        };
+        tab("Dials", [&] { dialTab(bench); });
+        tab("Measures", [&] { measureTab(bench); });
+        tab("View", [&] { viewTab(bench); });
+        tab("File", [&] { fileTab(bench); });
+        ImGui::EndTabBar();
+    }
+    ImGui::End();
+    place(kLeft, height - kBottom, width - kLeft - kRight, kBottom);
+    if (ImGui::Begin("time", nullptr, kFixed)) {
+        timeBar(bench);
+    }
+    ImGui::End();
+}
+
+void Panel::scenes(Workbench& bench) {
+    const Scene& present = bench.sandbox.scene();
+    const float textHeight = 190;
+    ImGui::BeginChild("list", {0, -textHeight});
+    const std::span<const Scene> all = catalogue();
+    const bool arrived = shown_ != bench.sandbox.sceneIndex();
+    shown_ = bench.sandbox.sceneIndex();
+    for (std::size_t i = 0; i < all.size();) {
+        const std::string group(all[i].group);
+        if (arrived && group == present.group) {
+            ImGui::SetNextItemOpen(true);
+        }
+        const bool open = ImGui::CollapsingHeader(group.c_str());
+        for (; i < all.size() && all[i].group == group; ++i) {
+            const std::string name(all[i].name);
+            const bool chosen = i == bench.sandbox.sceneIndex();
+            if (open && ImGui::Selectable(name.c_str(), chosen)) {
+                bench.open(i);
+            }
+            if (open && chosen && arrived) {
+                ImGui::SetScrollHereY();
+            }
         }
     }
-    return true;
-}
-
-void Panel::drag(kodo_sfml::Pixel pixel, Sandbox& sandbox) {
-    if (held_) {
-        setFrom(pixel.x, sandbox);
+    ImGui::EndChild();
+    ImGui::Separator();
+    words(present.question);
+    ImGui::Spacing();
+    ImGui::PushStyleColor(ImGuiCol_Text, {0.65f, 0.75f, 0.85f, 1});
+    words(present.expectation);
+    ImGui::PopStyleColor();
+    if (const std::optional<bool> verdict = bench.sandbox.verdict()) {
+        ImGui::TextColored(*verdict ? ImVec4{0.5f, 0.9f, 0.5f, 1} : ImVec4{1, 0.5f, 0.4f, 1},
+                           *verdict ? "As expected." : "Not as expected.");
+    } else {
+        ImGui::TextDisabled("Judged after %.1f s, if untouched.",
+                            static_cast<double>(present.seconds));
     }
 }
 
-void Panel::choose(int way) {
-    const auto count = static_cast<int>(knobs_.size());
-    chosen_ = static_cast<std::size_t>((static_cast<int>(chosen_) + count + way) % count);
-}
-
-void Panel::turn(int way, Sandbox& sandbox) {
-    const Knob& knob = knobs_[chosen_];
-    knob.set(sandbox, snapped(knob, knob.value(sandbox) + way * knob.stride));
-}
-
-void Panel::draw(kodo_sfml::Painter& painter, const sf::Font& font, const Sandbox& sandbox,
-                 std::span<const std::string> lines) const {
-    fill(painter, {left(), 0, kWidth, static_cast<float>(pixels_.y)}, kBack);
-    for (std::size_t i = 0; i < knobs_.size(); ++i) {
-        const Knob& knob = knobs_[i];
-        const kodo_sfml::Rect line = track(i);
-        const kodo_sfml::Rgba color = i == chosen_ ? kBright : kQuiet;
-        const std::string value = valueText(knob, sandbox);
-        painter.text(font, knob.label, kText, {line.left, line.top - 7}, color);
-        const float width = kodo_sfml::textWidth(font, value, kText);
-        painter.text(font, value, kText, {line.left + line.width - width, line.top - 7}, color);
-        const auto share =
-            static_cast<float>((knob.value(sandbox) - knob.low) / (knob.high - knob.low));
-        fill(painter, line, kLine);
-        fill(painter, {line.left, line.top, share * line.width, line.height}, kFilled);
-        painter.disc({line.left + share * line.width, line.top + kTrack / 2}, kGrip, color, color);
+void Panel::dialTab(Workbench& bench) {
+    if (const Profile* const chosen = profileButtons("settings")) {
+        bench.sandbox.setSettings(chosen->settings);
     }
-    float y = kTop + kPitch * static_cast<float>(knobs_.size()) + 14;
-    for (const std::string& text : lines) {
-        y += static_cast<float>(kText) + 5;
-        painter.text(font, text, kText, {left() + kMargin, y}, kQuiet);
+    std::string_view group;
+    for (const Dial& one : dials()) {
+        if (!one.shown(bench.sandbox)) {
+            continue;
+        }
+        if (group != one.group) {
+            group = one.group;
+            ImGui::Separator();
+        }
+        try {
+            dial(one, bench);
+        } catch (const kodo::BadDefinition& error) {
+            bench.message = error.what();
+        }
+        hint(std::string(one.what) + (one.price.empty() ? "" : "\n" + std::string(one.price)));
+    }
+    ImGui::Separator();
+    if (ImGui::Button("Reset")) {
+        bench.open(bench.sandbox.sceneIndex());
+    }
+    hint("The scene and all dials as they were.");
+    ImGui::SameLine();
+    if (ImGui::Button("Copy as code")) {
+        ImGui::SetClipboardText(codeOf(bench.sandbox.settings()).c_str());
+        bench.message = "The settings are in the clipboard.";
+    }
+    ImGui::Separator();
+    ImGui::TextUnformatted("Beside it, from here on:");
+    if (const Profile* const chosen = profileButtons("beside")) {
+        bench.sandbox.compareWith(chosen->settings);
+    }
+    if (bench.sandbox.twin() != nullptr) {
+        ImGui::TextColored({1, 0.5f, 0.5f, 1}, "Red outlines: apart by %.4g m",
+                           static_cast<double>(bench.sandbox.difference()));
+        if (ImGui::SmallButton("Stop comparing")) {
+            bench.sandbox.stopComparing();
+        }
+    }
+}
+
+void Panel::measureTab(const Workbench& bench) {
+    const std::vector<Sample>& samples = bench.sandbox.measures().samples();
+    plot("Step", "us", samples, [](const Sample& s) { return s.step; });
+    const Sample last = bench.sandbox.measures().last();
+    for (std::size_t i = 0; i < last.stages.size(); ++i) {
+        ImGui::Text("  %-11s %6.0f us", kodo::kStepStageNames[i].data(),
+                    static_cast<double>(last.stages[i]));
+    }
+    plot("Visits of contacts", "", samples, [](const Sample& s) { return s.visits; });
+    plot("Deepest overlap", "mm", samples, [](const Sample& s) { return s.overlap; });
+    plot("Energy", "J", samples, [](const Sample& s) { return s.energy; });
+    plot("Momentum", "kg m/s", samples, [](const Sample& s) { return s.momentum; });
+    plot("Awake", "bodies", samples, [](const Sample& s) { return s.awake; });
+}
+
+void Panel::viewTab(Workbench& bench) {
+    ImGui::Checkbox("Shapes", &bench.look.shapes);
+    ImGui::Checkbox("Joints", &bench.look.joints);
+    ImGui::Checkbox("Contacts", &bench.look.contacts);
+    ImGui::Checkbox("Impulses", &bench.look.impulses);
+    ImGui::Checkbox("Bounds", &bench.look.bounds);
+    if (ImGui::Button("Whole scene (Home)")) {
+        bench.showScene();
+    }
+    ImGui::Separator();
+    words("Right button: move the view. Wheel: closer, farther.\n"
+          "Space: pause. N: one step. B: one step back. R: restart.\n"
+          "1 to 9, 0, E: the hands below, from left to right. Tab: through the dials.\n"
+          "Page up, page down: another scene. Escape: quit.");
+}
+
+void Panel::fileTab(Workbench& bench) {
+    words("A World with its bodies, joints, fields and settings, as bytes.");
+    ImGui::InputText("File", file_, sizeof file_);
+    try {
+        if (ImGui::Button("Save")) {
+            bench.sandbox.save(file_);
+            bench.message = std::string("Saved as ") + file_ + ".";
+        }
+        ImGui::SameLine();
+        if (ImGui::Button("Load")) {
+            bench.sandbox.load(file_);
+            bench.message = std::string("Loaded ") + file_ + ".";
+        }
+    } catch (const std::runtime_error& error) {
+        bench.message = error.what();
+    }
+}
+
+void Panel::timeBar(Workbench& bench) {
+    if (ImGui::Button(bench.paused ? "Play" : "Pause", {64, 0})) {
+        bench.paused = !bench.paused;
+    }
+    ImGui::SameLine();
+    if (ImGui::Button("Step")) {
+        bench.paused = true;
+        bench.stepOnce();
+    }
+    ImGui::SameLine();
+    if (ImGui::Button("Restart")) {
+        bench.open(bench.sandbox.sceneIndex());
+    }
+    ImGui::SameLine();
+    Sandbox& sandbox = bench.sandbox;
+    auto tick = static_cast<int>(sandbox.tick());
+    char text[48];
+    std::snprintf(text, sizeof text, "%.2f s", static_cast<double>(tick) / 60);
+    ImGui::SetNextItemWidth(-1);
+    if (ImGui::SliderInt("##time", &tick, static_cast<int>(sandbox.firstTick()),
+                         static_cast<int>(sandbox.lastTick()), text)) {
+        bench.paused = true;
+        sandbox.rewind(static_cast<std::uint64_t>(std::max(tick, 0)));
+    }
+    hint("Drag: back and forth in time. A step from there begins another branch.");
+    for (std::size_t i = 0; i < kHands.size(); ++i) {
+        const std::string name(kHands[i].name);
+        const bool chosen = i == static_cast<std::size_t>(bench.hand);
+        if (i > 0) {
+            ImGui::SameLine(0, 4);
+        }
+        if (chosen) {
+            ImGui::PushStyleColor(ImGuiCol_Button, {0.26f, 0.59f, 0.98f, 0.9f});
+        }
+        if (ImGui::SmallButton(name.c_str())) {
+            bench.hand = static_cast<Hand>(i);
+        }
+        hint(kHands[i].what);
+        if (chosen) {
+            ImGui::PopStyleColor();
+        }
+    }
+    if (!bench.message.empty()) {
+        ImGui::TextColored({1, 0.8f, 0.4f, 1}, "%s", bench.message.c_str());
+    } else if (bench.hand == Hand::Drop) {
+        for (std::size_t i = 0; i < kThingNames.size(); ++i) {
+            const std::string name(kThingNames[i]);
+            if (i > 0) {
+                ImGui::SameLine();
+            }
+            if (ImGui::RadioButton(name.c_str(), i == static_cast<std::size_t>(bench.thing))) {
+                bench.thing = static_cast<Thing>(i);
+            }
+        }
+    } else {
+        words(kHands[static_cast<std::size_t>(bench.hand)].what);
     }
 }
 

@@ -1,150 +1,279 @@
 // SPDX-License-Identifier: MIT
 #include "sandbox.hpp"
 
-#include <scenes/in_kodo.hpp>
-#include <scenes/piles.hpp>
-
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
 #include <memory>
+#include <stdexcept>
 
 namespace destructoooor {
 
-using kodo::Real;
-using kodo::Vec2;
-
 namespace {
 
-constexpr Real kGone = 40;       // m from the origin; bodies beyond it are removed
-constexpr Real kBurstRadius = 4; // m
-constexpr Real kBurstSpeed = 12; // m/s, at the centre of the explosion
-constexpr std::size_t kMostBodies = 400;
+constexpr Real kGone = 80;                // m from the origin; bodies beyond it are removed
+constexpr std::size_t kMostBodies = 3000; // nothing is dropped beyond it
+constexpr Real kPull = 3000;              // N per kg of the body that the mouse holds
 
-scenes::SceneDef definitionOf(Scene scene) {
-    switch (scene) {
-    case Scene::Tower:
-        return scenes::stack(12);
-    case Scene::Pyramid:
-        return scenes::pyramid(12);
-    case Scene::Pit:
-        return scenes::pile(60);
-    case Scene::Ground:
-        break;
-    }
-    return {"ground", scenes::kDown, {scenes::ground(30)}};
-}
-
-kodo::Shape shapeOf(Primitive what, Real size, std::uint64_t key) {
-    switch (what) {
-    case Primitive::Box:
-        return kodo::Box{size, size};
-    case Primitive::Plank:
-        return kodo::Box{3 * size, size / 4};
-    case Primitive::Polygon: {
-        scenes::Dice dice(key);
-        const std::size_t corners = 3 + dice.below(5);
-        const auto width = static_cast<double>(size);
-        return std::get<kodo::Polygon>(
-            scenes::toKodo(scenes::Part(scenes::randomPolygon(dice, corners, width, width))));
-    }
-    case Primitive::Circle:
-        break;
-    }
-    return kodo::Circle{size / 2};
-}
-
-bool isLocked(const kodo::BodyView& body) {
-    return body.type() != kodo::BodyType::Dynamic;
+bool isDynamic(const kodo::BodyView& body) {
+    return body.type() == kodo::BodyType::Dynamic;
 }
 
 } // namespace
 
 Sandbox::Sandbox() {
-    // The lessons of the thesis need its solver; few iterations make the effects visible.
-    settings_ = kodo::thesis2006();
-    settings_.propagation().contactPasses = 5;
-    restart(Scene::Tower);
+    open(0);
 }
 
-void Sandbox::restart(Scene scene) {
+void Sandbox::open(std::size_t scene) {
     scene_ = scene;
+    Staged staged = stage(catalogue()[scene]);
+    world_ = std::move(staged.world);
+    ids_ = std::move(staged.ids);
+    act_ = catalogue()[scene].act;
+    twin_.reset();
+    held_.reset();
+    verdict_.reset();
+    untouched_ = true;
+    lastTick_ = 0;
     drops_ = 0;
-    world_ = scenes::inKodo(definitionOf(scene), settings_).world;
-    setGravity(gravity_);
-    setMaterial(friction_, restitution_);
+    gravity_ = -catalogue()[scene].gravity.y;
+    wind_ = 0;
+    waterLevel_ = kNoWater;
+    friction_ = Real(0.6);
+    restitution_ = 0;
+    sceneFields_.clear();
+    std::ranges::copy_if(world_.fields(), std::back_inserter(sceneFields_), [](const auto& entry) {
+        return entry.field->kind() != kodo::FieldKind::Gravity;
+    });
+    measures_.clear();
+    history_.clear();
+    history_.record(world_, true);
 }
 
-void Sandbox::drop(Primitive what, Vec2 place, Real size) {
-    if (world_.bodyCount() < kMostBodies) {
-        world_.add({.shape = shapeOf(what, size, ++drops_),
-                    .position = place,
-                    .material = kodo::withFriction(friction_, restitution_)});
+void Sandbox::stepOnce(kodo::World& world) {
+    const bool whole = std::ranges::all_of(ids_, [&](BodyId id) { return world.contains(id); });
+    if (act_ != nullptr && whole) {
+        act_(world, ids_, world.stepCount());
     }
-}
-
-void Sandbox::burst(Vec2 place) {
-    for (const kodo::BodyId id : world_.bodies()) {
-        kodo::BodyRef body = world_[id];
-        const Vec2 way = body.center() - place;
-        const Real distance = length(way);
-        if (!isLocked(body) && distance < kBurstRadius && distance > 0) {
-            const Real share = 1 - distance / kBurstRadius;
-            body.applyImpulse((body.mass() * kBurstSpeed * share / distance) * way);
-        }
-    }
+    world.step(kStepSeconds, {.listener = &world == &world_ ? &measures_ : nullptr});
+    removeLost(world);
 }
 
 void Sandbox::step() {
-    world_.step(kStepSeconds);
-    takeOutLost();
+    if (tick() < lastTick_) {
+        history_.forgetAfter(tick());
+    }
+    history_.record(world_, false);
+    stepOnce(world_);
+    if (twin_) {
+        stepOnce(*twin_);
+    }
+    lastTick_ = tick();
+    measures_.sample(world_, gravity_);
+    const auto due = static_cast<std::uint64_t>(std::lround(scene().seconds / kStepSeconds));
+    if (untouched_ && tick() == due) {
+        verdict_ = scene().holds(world_, ids_);
+    }
 }
 
-void Sandbox::takeOutLost() {
-    for (const kodo::BodyId id : world_.bodies()) {
-        const kodo::BodyView body = std::as_const(world_)[id];
-        if (!isLocked(body) && length(body.center()) > kGone) {
-            world_.remove(id);
+void Sandbox::rewind(std::uint64_t wanted) {
+    const std::uint64_t last = std::max(lastTick_, tick());
+    wanted = std::clamp(wanted, history_.first(), last);
+    world_ = history_.before(wanted);
+    twin_.reset();
+    held_.reset();
+    while (tick() < wanted) {
+        stepOnce(world_);
+    }
+    lastTick_ = last;
+}
+
+void Sandbox::removeLost(kodo::World& world) const {
+    for (const BodyId id : world.bodies()) {
+        const kodo::BodyView body = std::as_const(world)[id];
+        if (isDynamic(body) && kodo::length(body.center()) > kGone) {
+            world.remove(id);
         }
+    }
+}
+
+void Sandbox::touched() {
+    untouched_ = false;
+    history_.forgetAfter(tick());
+    history_.record(world_, true);
+    lastTick_ = tick();
+}
+
+void Sandbox::change(const std::function<void(kodo::World&)>& work) {
+    work(world_);
+    if (twin_) {
+        work(*twin_);
+    }
+    touched();
+}
+
+void Sandbox::grab(Vec2 point) {
+    const std::optional<BodyId> body = bodyAt(world_, point);
+    if (!body) {
+        return;
+    }
+    change([&](kodo::World& world) {
+        kodo::MouseJoint joint;
+        joint.body = *body;
+        joint.anchor = kodo::toLocal(std::as_const(world)[*body].transform(), point);
+        joint.target = point;
+        joint.force = kPull * std::as_const(world)[*body].mass();
+        held_ = world.add(joint);
+    });
+}
+
+void Sandbox::pull(Vec2 point) {
+    if (!held_ || !world_.contains(*held_)) {
+        return;
+    }
+    change([&](kodo::World& world) {
+        kodo::JointDef def = world.joint(*held_);
+        std::get<kodo::MouseJoint>(def).target = point;
+        world.setJoint(*held_, def);
+    });
+}
+
+void Sandbox::letGo() {
+    if (held_ && world_.contains(*held_)) {
+        change([&](kodo::World& world) { world.remove(*held_); });
+    }
+    held_.reset();
+}
+
+void Sandbox::drop(Thing what, Vec2 place, Real size) {
+    if (world_.bodyCount() < kMostBodies) {
+        ++drops_;
+        change([&](kodo::World& world) {
+            destructoooor::drop(world, what, place, size,
+                                kodo::withFriction(friction_, restitution_), drops_);
+        });
     }
 }
 
 void Sandbox::setSettings(const kodo::StepSettings& settings) {
-    world_.setSettings(settings); // throws for what check() refuses
-    settings_ = settings;
+    world_.setSettings(settings);
+    touched();
+}
+
+void Sandbox::updateFields() {
+    std::vector<kodo::FieldEntry> fields{{std::make_shared<kodo::Gravity>(Vec2{0, -gravity_}), {}}};
+    fields.insert(fields.end(), sceneFields_.begin(), sceneFields_.end());
+    if (wind_ != 0) {
+        fields.push_back(
+            {std::make_shared<kodo::Wind>(kodo::DragLaw{.linear = 2}, Vec2{wind_, 0}), {}});
+    }
+    if (waterLevel_ > kNoWater && gravity_ != 0) {
+        fields.push_back(
+            {std::make_shared<kodo::Buoyancy>(kodo::Buoyancy::Fluid{.density = 2, .drag = 2},
+                                              Vec2{0, waterLevel_}, Vec2{0, -gravity_}),
+             {}});
+    }
+    change([&](kodo::World& world) { world.setFields(fields); });
 }
 
 void Sandbox::setGravity(Real gravity) {
     gravity_ = gravity;
-    world_.setFields({{std::make_shared<kodo::Gravity>(Vec2{0, -gravity}), {}}});
+    updateFields();
+}
+void Sandbox::setWind(Real wind) {
+    wind_ = wind;
+    updateFields();
+}
+void Sandbox::setWaterLevel(Real level) {
+    waterLevel_ = level;
+    updateFields();
 }
 
 void Sandbox::setMaterial(Real friction, Real restitution) {
     friction_ = friction;
     restitution_ = restitution;
-    for (const kodo::BodyId id : world_.bodies()) {
-        world_[id].setMaterial(kodo::withFriction(friction, restitution));
+    change([&](kodo::World& world) {
+        for (const BodyId id : world.bodies()) {
+            world[id].setMaterial(kodo::withFriction(friction, restitution));
+        }
+    });
+}
+
+void Sandbox::compareWith(const kodo::StepSettings& settings) {
+    kodo::World twin = world_;
+    twin.setSettings(settings);
+    twin_ = std::move(twin);
+}
+
+Real Sandbox::difference() const {
+    Real largest = 0;
+    if (twin_) {
+        for (const BodyId id : world_.bodies()) {
+            if (twin_->contains(id)) {
+                const Vec2 apart = world_[id].center() - std::as_const(*twin_)[id].center();
+                largest = std::max(largest, kodo::length(apart));
+            }
+        }
+    }
+    return largest;
+}
+
+void Sandbox::save(const std::string& file) const {
+    const std::vector<std::byte> bytes = kodo::toBytes(world_);
+    std::ofstream out(file, std::ios::binary);
+    out.write(reinterpret_cast<const char*>(bytes.data()),
+              static_cast<std::streamsize>(bytes.size()));
+    if (!out.flush()) {
+        throw std::runtime_error("The World cannot be written to " + file + ".");
     }
 }
 
-Measures Sandbox::measures() const {
-    Measures found;
-    for (const kodo::BodyId id : world_.bodies()) {
-        const kodo::BodyView body = world_[id];
-        if (isLocked(body)) {
-            continue;
-        }
-        ++found.bodies;
-        found.asleep += (body.flags() & kodo::kAsleep) != 0 ? 1 : 0;
-        found.highest = std::max(found.highest, body.bounds().upper.y);
-        found.fastest = std::max(found.fastest, length(body.velocity()));
+void Sandbox::load(const std::string& file) {
+    std::ifstream in(file, std::ios::binary);
+    if (!in) {
+        throw std::runtime_error("There is no file " + file + ".");
     }
-    for (const kodo::CollisionRecord& record : world_.collisions()) {
-        if (record.phase != kodo::TouchPhase::End) {
-            ++found.contacts;
-            found.maxOverlap = std::max(found.maxOverlap, -record.separation);
-        }
+    const std::vector<char> text{std::istreambuf_iterator<char>(in), {}};
+    try {
+        world_ = kodo::fromBytes(std::as_bytes(std::span(text)));
+    } catch (const kodo::BadSnapshot& error) {
+        throw std::runtime_error(file + ": " + error.what());
     }
-    found.visits = stepStats(world_).contacts;
-    return found;
+    act_ = nullptr;
+    twin_.reset();
+    held_.reset();
+    untouched_ = false;
+    verdict_.reset();
+    history_.clear();
+    history_.record(world_, true);
+    lastTick_ = tick();
+}
+
+std::string codeOf(const kodo::StepSettings& settings) {
+    char text[512];
+    const auto number = [](Real value) { return static_cast<double>(value); };
+    if (const auto* const soft = std::get_if<kodo::SoftSettings>(&settings.solver)) {
+        std::snprintf(text, sizeof text,
+                      "kodo::StepSettings{.solver = kodo::SoftSettings{.substeps = %d, "
+                      ".impactPasses = %d, .contactHertz = %g, .contactDamping = %g, .jointHertz = "
+                      "%g, .jointDamping = %g, .pushSpeed = %g}, .sleepSteps = %d}",
+                      soft->substeps, soft->impactPasses, number(soft->contactHertz),
+                      number(soft->contactDamping), number(soft->jointHertz),
+                      number(soft->jointDamping), number(soft->pushSpeed), settings.sleepSteps);
+        return text;
+    }
+    const kodo::PropagationSettings& own = settings.propagation();
+    std::snprintf(text, sizeof text,
+                  "kodo::StepSettings{.solver = kodo::PropagationSettings{.substeps = %d, "
+                  ".impactPasses = %d, .contactPasses = %d, .shockPasses = %d, .jointHertz = %g, "
+                  ".jointDamping = %g, .pushSpeed = %g}, .sleepSteps = %d}",
+                  own.substeps, own.impactPasses, own.contactPasses, own.shockPasses,
+                  number(own.jointHertz), number(own.jointDamping), number(own.pushSpeed),
+                  settings.sleepSteps);
+    return text;
 }
 
 } // namespace destructoooor

@@ -1,73 +1,104 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <kodo/kodo.hpp>
+#include <functional>
+#include <optional>
+#include <string>
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <string_view>
+#include "catalogue/scene.hpp"
+#include "hands.hpp"
+#include "history.hpp"
+#include "measures.hpp"
 
 namespace destructoooor {
 
-enum class Scene : std::uint8_t { Ground, Tower, Pyramid, Pit };
-inline constexpr std::array<std::string_view, 4> kSceneNames = {"Ground", "Tower", "Pyramid",
-                                                                "Pit"};
-
-/// Shapes that can be dropped.
-enum class Primitive : std::uint8_t { Box, Circle, Polygon, Plank };
-inline constexpr std::array<std::string_view, 4> kPrimitiveNames = {"box", "circle", "polygon",
-                                                                    "plank"};
-
-inline constexpr kodo::Real kStepSeconds = kodo::Real(1) / 60;
-
-/// Quality and cost of the last step.
-struct Measures {
-    kodo::Real maxOverlap = 0; // m, largest overlap
-    kodo::Real highest = 0;    // m, top of the highest body; the ground is at 0
-    kodo::Real fastest = 0;    // m/s
-    std::size_t bodies = 0;    // dynamic ones
-    std::size_t asleep = 0;    // sleeping ones
-    std::size_t contacts = 0;
-    std::size_t visits = 0; // of contacts by the solver: cost without a clock
-};
-
-/// The world of the demo, without a window: four scenes for dropped bodies. Every parameter of the
-/// simulation can change between steps [Thesis06, Appendix A].
+/// A World that can be operated, without a window: scenes, hands, dials, a past that one can go
+/// back to, and a second World with other settings beside it. Every parameter of the simulation can
+/// change between steps [Thesis06, Appendix A].
 class Sandbox {
 public:
-    Sandbox();
+    Sandbox(); // with the first scene
 
-    /// Rebuilds a scene with the present settings.
-    void restart(Scene scene);
-    Scene scene() const { return scene_; }
+    /// Builds a scene with its own settings; dials go back to where they were at first.
+    void open(std::size_t scene);
+    void restart() { open(scene_); }
+    std::size_t sceneIndex() const { return scene_; }
+    const Scene& scene() const { return catalogue()[scene_]; }
 
-    void drop(Primitive what, kodo::Vec2 place, kodo::Real size);
-    /// Applies impulses away from the place to all dynamic bodies near it.
-    void burst(kodo::Vec2 place);
     void step();
+    std::uint64_t tick() const { return world_.stepCount(); }
+    /// Goes to an earlier tick, or to a later one that has been reached before. A step from there
+    /// begins another branch: what came after it is forgotten.
+    void rewind(std::uint64_t tick);
+    std::uint64_t firstTick() const { return history_.first(); }
+    std::uint64_t lastTick() const { return lastTick_; }
+    /// Of an untouched scene, once its time has come: is it as expected?
+    std::optional<bool> verdict() const { return verdict_; }
+
+    /// Runs a change of the World, and of the second one. Throws what it throws.
+    void change(const std::function<void(kodo::World&)>& work);
+    /// The mouse holds the body at a point, moves it, and lets go.
+    void grab(Vec2 point);
+    void pull(Vec2 point);
+    void letGo();
+    void drop(Thing what, Vec2 place, Real size);
 
     const kodo::World& world() const { return world_; }
-    const kodo::StepSettings& settings() const { return settings_; }
-    void setSettings(const kodo::StepSettings& settings);
-    kodo::Real gravity() const { return gravity_; } // m/s^2, downwards
-    void setGravity(kodo::Real gravity);
-    kodo::Real friction() const { return friction_; } // of all bodies
-    kodo::Real restitution() const { return restitution_; }
-    void setMaterial(kodo::Real friction, kodo::Real restitution);
+    const kodo::StepSettings& settings() const { return world_.settings(); }
+    void setSettings(const kodo::StepSettings& settings); // throws BadDefinition
 
-    Measures measures() const;
+    // Dials of the whole World. Numbers are m/s^2 downwards, m/s, and m.
+    Real gravity() const { return gravity_; }
+    void setGravity(Real gravity);
+    Real wind() const { return wind_; }
+    void setWind(Real wind);
+    Real waterLevel() const { return waterLevel_; } // below kNoWater: none
+    void setWaterLevel(Real level);
+    Real friction() const { return friction_; } // of all bodies, once it was set
+    Real restitution() const { return restitution_; }
+    void setMaterial(Real friction, Real restitution);
+    static constexpr Real kNoWater = -2;
+
+    /// A second World that goes on from here with other settings, for comparison.
+    void compareWith(const kodo::StepSettings& settings);
+    void stopComparing() { twin_.reset(); }
+    const kodo::World* twin() const { return twin_ ? &*twin_ : nullptr; }
+    /// Largest distance (m) between the same body in both; 0 without a second World.
+    Real difference() const;
+
+    const Measures& measures() const { return measures_; }
+
+    /// Throws std::runtime_error with a sentence.
+    void save(const std::string& file) const;
+    void load(const std::string& file);
 
 private:
-    void takeOutLost();
+    void stepOnce(kodo::World& world);
+    void removeLost(kodo::World& world) const;
+    void updateFields();
+    void touched();
 
-    Scene scene_ = Scene::Ground;
+    std::size_t scene_ = 0;
     kodo::World world_;
-    kodo::StepSettings settings_;
-    kodo::Real gravity_ = 10;
-    kodo::Real friction_ = kodo::Real(0.6);
-    kodo::Real restitution_ = 0;
+    Ids ids_;
+    decltype(Scene::act) act_ = nullptr; // of the scene; null after load()
+    std::optional<kodo::World> twin_;
+    History history_;
+    Measures measures_;
+    std::uint64_t lastTick_ = 0;
+    bool untouched_ = true;
+    std::optional<bool> verdict_;
+    std::optional<kodo::JointId> held_;
+    std::vector<kodo::FieldEntry> sceneFields_; // without gravity
+    Real gravity_ = 10;
+    Real wind_ = 0;
+    Real waterLevel_ = kNoWater;
+    Real friction_ = Real(0.6);
+    Real restitution_ = 0;
     std::uint64_t drops_ = 0; // seed of the next random polygon
 };
+
+/// Settings as a line of C++.
+std::string codeOf(const kodo::StepSettings& settings);
 
 } // namespace destructoooor

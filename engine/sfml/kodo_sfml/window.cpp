@@ -16,6 +16,17 @@ constexpr unsigned kSamples = 4;        // for each pixel, with a graphics card
 constexpr unsigned kMostFrames = 144;   // 1/s, without vertical sync
 constexpr unsigned kFrameOfWindow = 80; // pixels, estimate for title bar and panels
 
+void drawWith(sf::RenderTarget& target, const Painter& picture, Rgba background,
+              const std::function<void()>& overlay) {
+    target.clear({background.r, background.g, background.b, background.a});
+    picture.draw(target);
+    if (overlay) {
+        target.pushGLStates();
+        overlay();
+        target.popGLStates();
+    }
+}
+
 } // namespace
 
 Window::Window(const std::string& title, Size wantedPixels) : title_(title), wanted_(wantedPixels) {
@@ -72,19 +83,18 @@ std::optional<sf::Event> Window::nextEvent() {
     return event;
 }
 
-void Window::show(const Painter& picture, Rgba background) {
-    window_.clear({background.r, background.g, background.b, background.a});
-    picture.draw(window_);
+void Window::show(const Painter& picture, Rgba background, const std::function<void()>& overlay) {
+    drawWith(window_, picture, background, overlay);
     window_.display();
 }
 
-bool savePicture(const Painter& picture, Size pixels, Rgba background, const std::string& path) {
+bool savePicture(const Painter& picture, Size pixels, Rgba background, const std::string& path,
+                 const std::function<void()>& overlay) {
     sf::RenderTexture target;
     if (!target.create(pixels.x, pixels.y)) {
         return false;
     }
-    target.clear({background.r, background.g, background.b, background.a});
-    picture.draw(target);
+    drawWith(target, picture, background, overlay);
     target.display();
     return target.getTexture().copyToImage().saveToFile(path);
 }

@@ -7,6 +7,7 @@
 #include <SFML/Window/Event.hpp>
 #include <SFML/Window/Mouse.hpp>
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -29,8 +30,9 @@ public:
     /// The next pending event, or nothing. After a resize event the view is already updated.
     std::optional<sf::Event> nextEvent();
 
-    /// Shows a picture. If paced, waits for the vertical sync or the frame limit.
-    void show(const Painter& picture, Rgba background);
+    /// Shows a picture. If paced, waits for the vertical sync or the frame limit. The overlay is
+    /// called after it is drawn, and may use OpenGL: SFML's state is saved around it.
+    void show(const Painter& picture, Rgba background, const std::function<void()>& overlay = {});
 
     /// From a window to the whole screen in its usual resolution, or back. Held keys are forgotten.
     void toggleFullScreen();
@@ -55,7 +57,8 @@ private:
 };
 
 /// Draws a picture without a window and writes it to a file; the extension selects the format
-/// (png). Needs a display. False if it cannot be drawn or written.
-bool savePicture(const Painter& picture, Size pixels, Rgba background, const std::string& path);
+/// (png). Needs a display. False if it cannot be drawn or written. Overlay: see Window::show().
+bool savePicture(const Painter& picture, Size pixels, Rgba background, const std::string& path,
+                 const std::function<void()>& overlay = {});
 
 } // namespace kodo_sfml

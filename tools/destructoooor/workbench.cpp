@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: MIT
+#include "workbench.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace destructoooor {
+
+namespace {
+
+constexpr int kMostSteps = 4; // per frame; beyond that, the simulation runs slower
+constexpr Real kBlastRadius = 5;
+constexpr Real kBlastSpeed = 14; // m/s, at the centre
+constexpr Real kMotorSpeed = 4;  // rad/s
+constexpr Real kSpringHertz = 2;
+constexpr Real kPathStride = Real(0.15); // m, between points of a drawn line
+const kodo_sfml::Rgba kPathColor{255, 220, 90};
+const kodo_sfml::Rgba kTwinColor{255, 120, 120, 200};
+const kodo_sfml::Rgba kSurfaceColor{60, 120, 190, 110};
+const kodo_sfml::Rgba kDepthColor{30, 60, 110, 110};
+
+kodo_sfml::Pixel toFloat(int x, int y) {
+    return {static_cast<float>(x), static_cast<float>(y)};
+}
+
+} // namespace
+
+void Workbench::setView(kodo_sfml::Size pixels, kodo_sfml::Rect free) {
+    pixels_ = pixels;
+    free_ = free;
+}
+
+void Workbench::showScene() {
+    const kodo::Aabb view = sandbox.scene().view;
+    middle_ = view.center();
+    const auto shape = static_cast<Real>(free_.height / std::max(free_.width, 1.0f));
+    height_ = std::max(view.extent().y, view.extent().x * shape);
+}
+
+void Workbench::open(std::size_t scene) {
+    sandbox.open(scene);
+    showScene();
+    message.clear();
+}
+
+kodo_sfml::Camera Workbench::camera() const {
+    // The free part of the window shows the view; the camera knows the whole window.
+    const Real metre = height_ / static_cast<Real>(std::max(free_.height, 1.0f)); // per pixel
+    const Vec2 freeMiddle{static_cast<Real>(free_.left + free_.width / 2),
+                          static_cast<Real>(free_.top + free_.height / 2)};
+    const Vec2 shown{static_cast<Real>(pixels_.x) * metre, static_cast<Real>(pixels_.y) * metre};
+    const Vec2 lower = middle_ - Vec2{freeMiddle.x * metre, shown.y - freeMiddle.y * metre};
+    return {{lower, lower + shown}, pixels_};
+}
+
+void Workbench::take(const sf::Event& event) {
+    switch (event.type) {
+    case sf::Event::KeyPressed:
+        press(event.key.code);
+        break;
+    case sf::Event::MouseButtonPressed:
+        mouse_ = toFloat(event.mouseButton.x, event.mouseButton.y);
+        if (event.mouseButton.button == sf::Mouse::Left) {
+            mouseDown(camera().toWorld(mouse_));
+        } else {
+            panning_ = true;
+        }
+        break;
+    case sf::Event::MouseButtonReleased:
+        if (event.mouseButton.button == sf::Mouse::Left) {
+            mouseUp(camera().toWorld(toFloat(event.mouseButton.x, event.mouseButton.y)));
+        } else {
+            panning_ = false;
+        }
+        break;
+    case sf::Event::MouseMoved: {
+        const kodo_sfml::Pixel to = toFloat(event.mouseMove.x, event.mouseMove.y);
+        const Vec2 at = camera().toWorld(to);
+        if (panning_) {
+            middle_ += camera().toWorld(mouse_) - at;
+        } else if (down_ && hand == Hand::Drag) {
+            sandbox.pull(at);
+        } else if (down_ && kodo::length(at - path_.back()) > kPathStride) {
+            path_.push_back(at);
+        }
+        mouse_ = to;
+        break;
+    }
+    case sf::Event::MouseWheelScrolled: {
+        const auto turn = static_cast<Real>(event.mouseWheelScroll.delta);
+        if (hand == Hand::Drop && !panning_) {
+            size = std::clamp(size + 0.1f * event.mouseWheelScroll.delta, 0.2f, 4.0f);
+        } else {
+            height_ = std::clamp(height_ * std::pow(Real(0.9), turn), Real(1), Real(400));
+        }
+        break;
+    }
+    default:
+        break;
+    }
+}
+
+void Workbench::press(sf::Keyboard::Key key) {
+    using Key = sf::Keyboard::Key;
+    const std::size_t scenes = catalogue().size();
+    switch (key) {
+    case Key::Escape:
+        quit = true;
+        break;
+    case Key::R:
+        open(sandbox.sceneIndex());
+        break;
+    case Key::Space:
+        paused = !paused;
+        break;
+    case Key::N:
+        paused = true;
+        stepOnce();
+        break;
+    case Key::B:
+        paused = true;
+        sandbox.rewind(sandbox.tick() - std::min<std::uint64_t>(sandbox.tick(), 1));
+        break;
+    case Key::PageDown:
+        open((sandbox.sceneIndex() + 1) % scenes);
+        break;
+    case Key::PageUp:
+        open((sandbox.sceneIndex() + scenes - 1) % scenes);
+        break;
+    case Key::Home:
+        showScene();
+        break;
+    case Key::E:
+        hand = Hand::Explode;
+        break;
+    case Key::Num0:
+        hand = Hand::Spring;
+        break;
+    default:
+        if (key >= Key::Num1 && key <= Key::Num9) {
+            hand = static_cast<Hand>(key - Key::Num1);
+        }
+        break;
+    }
+}
+
+void Workbench::mouseDown(Vec2 at) {
+    down_ = true;
+    message.clear();
+    path_ = {at};
+    if (hand == Hand::Drag) {
+        sandbox.grab(at);
+    }
+}
+
+void Workbench::mouseUp(Vec2 at) {
+    if (!std::exchange(down_, false)) {
+        return;
+    }
+    if (hand == Hand::Drag) {
+        sandbox.letGo();
+    } else {
+        act(path_.front(), at);
+    }
+    path_.clear();
+}
+
+void Workbench::act(Vec2 from, Vec2 to) {
+    const std::optional<BodyId> first = bodyAt(sandbox.world(), from);
+    const std::optional<BodyId> second = bodyAt(sandbox.world(), to);
+    const auto changeOrSay = [&](bool possible, const char* otherwise, auto work) {
+        if (possible) {
+            sandbox.change(work);
+        } else {
+            message = otherwise;
+        }
+    };
+    switch (hand) {
+    case Hand::Drop:
+        sandbox.drop(thing, to, size);
+        break;
+    case Hand::Draw:
+        sandbox.change([&](kodo::World& world) {
+            const auto drawn = destructoooor::draw(world, path_);
+            if (const auto* const problem = std::get_if<kodo::Problem>(&drawn)) {
+                message = problem->reason;
+            }
+        });
+        break;
+    case Hand::Cut:
+        sandbox.change([&](kodo::World& world) { cut(world, from, to); });
+        break;
+    case Hand::Shatter:
+        changeOrSay(second.has_value(), "There is no body.",
+                    [&](kodo::World& world) { shatter(world, *second, to); });
+        break;
+    case Hand::Weld:
+        changeOrSay(first && second && first != second, "Draw from one body to another.",
+                    [&](kodo::World& world) { world.weld(*first, *second); });
+        break;
+    case Hand::Pin:
+    case Hand::Motor:
+        changeOrSay(second.has_value(), "There is no body.", [&](kodo::World& world) {
+            pinAt(world, to, hand == Hand::Motor ? kMotorSpeed : 0);
+        });
+        break;
+    case Hand::Rope:
+    case Hand::Spring:
+        changeOrSay((first || second) && first != second, "Draw from a body to another place.",
+                    [&](kodo::World& world) {
+                        tie(world, from, to, hand == Hand::Spring ? kSpringHertz : 0);
+                    });
+        break;
+    case Hand::Explode:
+        sandbox.change([&](kodo::World& world) { explode(world, to, kBlastRadius, kBlastSpeed); });
+        break;
+    case Hand::Drag:
+        break;
+    }
+}
+
+void Workbench::stepOnce() {
+    sandbox.step();
+}
+
+void Workbench::advance(double seconds) {
+    const auto step = static_cast<double>(kStepSeconds);
+    owed_ = paused ? 0 : std::min(owed_ + seconds, kMostSteps * step);
+    for (; owed_ >= step; owed_ -= step) {
+        stepOnce();
+    }
+}
+
+namespace {
+
+void drawWater(kodo_sfml::Painter& painter, const kodo_sfml::Camera& view,
+               const kodo::World& world) {
+    for (const kodo::FieldEntry& entry : world.fields()) {
+        if (entry.field->kind() != kodo::FieldKind::Buoyancy) {
+            continue;
+        }
+        const auto& water = static_cast<const kodo::Buoyancy&>(*entry.field);
+        const kodo::Aabb shown = view.shown();
+        const kodo_sfml::Pixel left = view.toPixels({shown.lower.x, water.surface().y});
+        const kodo_sfml::Pixel right = view.toPixels({shown.upper.x, water.surface().y});
+        const float bottom = view.toPixels(shown.lower).y;
+        const std::array<kodo_sfml::Rgba, 4> colors = {kSurfaceColor, kSurfaceColor, kDepthColor,
+                                                       kDepthColor};
+        if (bottom > left.y) {
+            painter.rectangle({left.x, left.y, right.x - left.x, bottom - left.y}, colors);
+        }
+    }
+}
+
+} // namespace
+
+void Workbench::draw(kodo_sfml::Painter& painter) const {
+    const kodo_sfml::Camera view = camera();
+    drawWater(painter, view, sandbox.world());
+    kodo_sfml::paintWorld(painter, view, sandbox.world(), look);
+    if (const kodo::World* const twin = sandbox.twin()) {
+        for (const BodyId id : twin->bodies()) {
+            const kodo::BodyView body = (*twin)[id];
+            for (std::size_t i = 0; i < body.partCount(); ++i) {
+                const auto outline =
+                    kodo_sfml::outlineOf(body.part(i).convex, body.massFrame(), view);
+                if (outline.size() > 2 && body.type() == kodo::BodyType::Dynamic) {
+                    painter.outline(outline, 1.5f, kTwinColor);
+                }
+            }
+        }
+    }
+    for (std::size_t i = 1; i < path_.size(); ++i) {
+        painter.line(view.toPixels(path_[i - 1]), view.toPixels(path_[i]), 2, kPathColor);
+    }
+    if (down_ && path_.size() == 1 && hand != Hand::Drag && hand != Hand::Drop) {
+        painter.line(view.toPixels(path_[0]), mouse_, 2, kPathColor);
+    }
+}
+
+} // namespace destructoooor

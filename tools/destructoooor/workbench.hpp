@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <kodo_sfml/window.hpp>
+#include <kodo_sfml/world_painter.hpp>
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sandbox.hpp"
+
+namespace destructoooor {
+
+/// What the left button of the mouse does in the scene.
+enum class Hand : std::uint8_t {
+    Drag,
+    Drop,
+    Draw,
+    Cut,
+    Shatter,
+    Weld,
+    Pin,
+    Motor,
+    Rope,
+    Spring,
+    Explode
+};
+struct HandWords {
+    std::string_view name;
+    std::string_view what;
+};
+inline constexpr std::array<HandWords, 11> kHands = {{
+    {"Drag", "Hold a body and throw it."},
+    {"Drop", "Click: a new body. Wheel: its size."},
+    {"Draw", "Draw an outline; it becomes a body."},
+    {"Cut", "Draw a line; it cuts what it meets."},
+    {"Shatter", "Click: a body breaks into pieces."},
+    {"Weld", "From one body to another: they become one."},
+    {"Pin", "Click: pins two bodies, or one to the wall."},
+    {"Motor", "Click: a pin with a motor."},
+    {"Rope", "From one point to another: a rope."},
+    {"Spring", "From one point to another: a spring."},
+    {"Explode", "Click: pushes all around away."},
+}};
+
+/// The state of the program beside the Sandbox: hand, camera, pause. Takes events, draws the scene.
+class Workbench {
+public:
+    Sandbox sandbox;
+
+    Hand hand = Hand::Drag;
+    Thing thing = Thing::Box;
+    float size = 1; // m, of what is dropped
+    bool paused = false;
+    bool quit = false;
+    kodo_sfml::WorldLook look{};
+    std::string message; // about the last action; empty: none
+
+    /// Pixels of the window that are not covered by panels.
+    void setView(kodo_sfml::Size pixels, kodo_sfml::Rect free);
+    void showScene(); // the camera shows all of the scene
+    void open(std::size_t scene);
+
+    /// An event that no panel wants.
+    void take(const sf::Event& event);
+    /// Runs the steps of this time (s), but only a few per call.
+    void advance(double seconds);
+    void stepOnce();
+    void draw(kodo_sfml::Painter& painter) const;
+    kodo_sfml::Camera camera() const;
+
+private:
+    void press(sf::Keyboard::Key key);
+    void mouseDown(Vec2 at);
+    void mouseUp(Vec2 at);
+    void act(Vec2 from, Vec2 to);
+
+    kodo_sfml::Size pixels_{1280, 720};
+    kodo_sfml::Rect free_{0, 0, 1280, 720};
+    Vec2 middle_{};          // m, centre of the view
+    Real height_ = 16;       // m, of the view
+    double owed_ = 0;        // s, not simulated yet
+    bool down_ = false;      // left button
+    bool panning_ = false;   // right or middle button
+    std::vector<Vec2> path_; // m, of the mouse since the left button went down
+    kodo_sfml::Pixel mouse_{};
+};
+
+} // namespace destructoooor
