@@ -16,8 +16,10 @@ struct Scene {
 };
 Scene build(const Recipe& recipe);
 
+/// Pairs of bodies that are looked at: all, or those that filters and joints let collide.
+enum class Pairs { All, Colliding };
 /// True if no bodies overlap: nothing parts at the start.
-bool startsSound(const kodo::World& world);
+bool startsSound(const kodo::World& world, Pairs pairs = Pairs::All);
 
 /// Applies an event, unless one of its bodies is gone.
 void apply(const Event& event, Scene& scene);

@@ -38,6 +38,35 @@ bool areOverlapping(const BodyView& a, const BodyView& b) {
     return false;
 }
 
+/// True if a joint excludes the pair from collisions.
+bool areExcluded(const World& world, BodyId a, BodyId b) {
+    for (const JointId id : world.joints()) {
+        const JointDef def = world.joint(id);
+        const bool collide = std::visit(
+            [](const auto& joint) {
+                if constexpr (requires { joint.ends; }) {
+                    return joint.ends.collide;
+                } else {
+                    return true;
+                }
+            },
+            def);
+        const BodyId one = firstBody(def);
+        const BodyId other = secondBody(def);
+        if (!collide && ((one == a && other == b) || (one == b && other == a))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool canCollide(const World& world, BodyId a, BodyId b) {
+    const auto filter = [&](BodyId id) {
+        return CollisionFilter{world[id].flags(), world[id].required()};
+    };
+    return shouldCollide(filter(a), filter(b)) && !areExcluded(world, a, b);
+}
+
 } // namespace
 
 Scene build(const Recipe& recipe) {
@@ -59,14 +88,15 @@ Scene build(const Recipe& recipe) {
     return scene;
 }
 
-bool startsSound(const World& world) {
+bool startsSound(const World& world, Pairs pairs) {
     const std::vector<BodyId> ids = world.bodies();
     for (std::size_t i = 0; i < ids.size(); ++i) {
         for (std::size_t k = i + 1; k < ids.size(); ++k) {
             const BodyView a = world[ids[i]];
             const BodyView b = world[ids[k]];
             const bool dynamic = a.type() == BodyType::Dynamic || b.type() == BodyType::Dynamic;
-            if (dynamic && areOverlapping(a, b)) {
+            const bool counts = pairs == Pairs::All || canCollide(world, ids[i], ids[k]);
+            if (dynamic && counts && areOverlapping(a, b)) {
                 return false;
             }
         }

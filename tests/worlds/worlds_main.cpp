@@ -2,6 +2,7 @@
 // Judges random worlds from the command line; see tools/worlds.
 #include <CLI/CLI.hpp>
 #include <base/assert.hpp>
+#include <worlds/ordinary.hpp>
 #include <worlds/recipe.hpp>
 
 #include <algorithm>
@@ -29,6 +30,7 @@ struct Options {
     std::string into = ".";  // folder of shrunk worlds
     std::string replay = {}; // file
     bool print = false;
+    bool ordinary = false;
 };
 
 void throwFailure(const char* condition, const char* file, int line) {
@@ -84,6 +86,9 @@ void addOptions(CLI::App& app, Options& options) {
         app.add_option("--replay", options.replay, "Judge this saved world instead");
     CLI::Option* const print =
         app.add_flag("--print", options.print, "Print the world of the seed instead");
+    app.add_flag("--ordinary", options.ordinary, "Judge ordinary scenes instead, for 30 s each")
+        ->excludes(shrink)
+        ->excludes(replay);
     for (CLI::Option* const unused : {count, jobs, shrink, into}) {
         replay->excludes(unused);
         print->excludes(unused);
@@ -221,8 +226,13 @@ int main(int argc, char** argv) {
         return replay(options);
     }
     if (options.print) {
-        std::fputs(worlds::toText(worlds::randomRecipe(options.seed)).c_str(), stdout);
+        const worlds::Recipe recipe = options.ordinary ? worlds::ordinaryRecipe(options.seed)
+                                                       : worlds::randomRecipe(options.seed);
+        std::fputs(worlds::toText(recipe).c_str(), stdout);
         return 0;
+    }
+    if (options.ordinary) {
+        return worlds::reportOrdinary({options.seed, options.count, options.jobs}) ? 0 : 1;
     }
     return Judging(options).run() ? 0 : 1;
 }
