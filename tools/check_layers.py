@@ -13,7 +13,7 @@ from check_sizes import blank_comments_and_strings, run  # noqa: E402
 # Folders of engine/src, lowest first: each may include the folders before it.
 ENGINE = (
     "base math shapes broad collide bodies lanes contacts joints impacts soft propagation"
-    " continuous sleep world"
+    " continuous sleep world draw"
 ).split()
 
 # Public headers, engine/include/kodo/NAME.hpp, by the layer that they belong to. A folder of the
@@ -24,12 +24,14 @@ PUBLIC = {
     "shapes": "material shape convex_shape mass measure ray geometry",
     "bodies": "body force_field settings collision_record joint",
     "world": "world query snapshot kodo",
+    "draw": "debug_draw",
 }
 LAYER_OF = {name: layer for layer, names in PUBLIC.items() for name in names.split()}
 
 # Folder: layers that it may include beside itself. "public": the headers <kodo/...>.
 MAY_USE = {f"engine/src/{name}": ENGINE[:i] for i, name in enumerate(ENGINE)}
 MAY_USE["engine/src/broad"] = ["base", "math"]  # works on bounds, not on shapes
+MAY_USE["engine/src/draw"] = []  # uses the public headers alone
 MAY_USE["engine/include/kodo"] = ["public"]
 MAY_USE["engine/c/kodo_c"] = ["public"]
 MAY_USE["engine/c/examples"] = []

@@ -1098,6 +1098,92 @@ KODO_C_API kodo_Status kodo_closestPoint(const kodo_World* world, kodo_Vec2 poin
                                          kodo_Real maxDistance, const kodo_Query* query,
                                          kodo_QueryPoint* closest);
 
+// Drawing.
+
+/// A colour with its opacity; 255 is opaque.
+typedef struct kodo_DrawColor {
+    uint8_t r;
+    uint8_t g;
+    uint8_t b;
+    uint8_t a;
+} kodo_DrawColor;
+
+/// How a figure looks.
+typedef struct kodo_DrawStyle {
+    kodo_DrawColor line;
+    kodo_DrawColor fill; // of circles and polygons; opacity 0: hollow
+    kodo_Real width;     // pixels, of lines
+} kodo_DrawStyle;
+
+/// Selects what is drawn of a World. A call that takes options may be given null: the defaults.
+typedef struct kodo_DrawOptions {
+    kodo_Head head;
+    bool shapes;                 // default: true
+    bool joints;                 // default: true
+    bool contacts;               // of the last step: points with their normals
+    bool impulses;               // of the last step: arrows along the normals
+    bool bounds;                 // axis-aligned, of bodies
+    bool velocities;             // arrows, of moving bodies
+    bool centers;                // centres of mass of dynamic bodies, as crosses
+    bool labels;                 // indices of ids, or what kodo_DebugDraw::label returns
+    kodo_Real metresPerImpulse;  // m/(N s); length of these arrows
+    kodo_Real secondsOfVelocity; // s; a velocity arrow leads to where a body is then
+    bool islands;                // colours tell islands instead of ids
+} kodo_DrawOptions;
+
+KODO_C_API kodo_Status kodo_initDrawOptions(kodo_DrawOptions* options, kodo_Head head);
+static inline kodo_DrawOptions kodo_drawOptions(void) {
+    kodo_DrawOptions options;
+    kodo_initDrawOptions(&options, kodo_headOf(sizeof(kodo_DrawOptions)));
+    return options;
+}
+
+/// A picture that kodo_draw() fills by functions for figures in the world (m). Each function may be
+/// null: of the first four, such figures are left out; the next five are made of these then.
+typedef struct kodo_DebugDraw {
+    kodo_Head head;
+    void* context;
+    kodo_Aabb view;  // m, world; bodies outside are left out
+    kodo_Real pixel; // m, size of a pixel: marks have a fixed size in pixels
+    void (*line)(void* context, kodo_Vec2 from, kodo_Vec2 to, const kodo_DrawStyle* style);
+    void (*circle)(void* context, kodo_Vec2 center, kodo_Real radius, const kodo_DrawStyle* style);
+    /// Convex, corners counter-clockwise.
+    void (*polygon)(void* context, const kodo_Vec2* corners, size_t count,
+                    const kodo_DrawStyle* style);
+    /// One line of UTF-8, centred at a point.
+    void (*text)(void* context, kodo_Vec2 middle, const char* utf8, const kodo_DrawStyle* style);
+    /// All points within a radius of a convex polygon, or of a line with two corners.
+    void (*rounded)(void* context, const kodo_Vec2* corners, size_t count, kodo_Real radius,
+                    const kodo_DrawStyle* style);
+    void (*halfPlane)(void* context, kodo_Vec2 surface, kodo_Vec2 normal,
+                      const kodo_DrawStyle* style);
+    void (*point)(void* context, kodo_Vec2 place, const kodo_DrawStyle* style);
+    void (*arrow)(void* context, kodo_Vec2 from, kodo_Vec2 to, const kodo_DrawStyle* style);
+    void (*spring)(void* context, kodo_Vec2 from, kodo_Vec2 to, const kodo_DrawStyle* style);
+    /// Called before the figures of a body, which have this style. May change it.
+    void (*begin)(void* context, kodo_BodyId body, kodo_DrawStyle* style);
+    /// UTF-8, valid until the next call.
+    const char* (*label)(void* context, kodo_BodyId body);
+} kodo_DebugDraw;
+
+KODO_C_API kodo_Status kodo_initDebugDraw(kodo_DebugDraw* target, kodo_Head head);
+/// A picture without functions, with a pixel of 0.01 m.
+static inline kodo_DebugDraw kodo_debugDraw(void) {
+    kodo_DebugDraw target;
+    kodo_initDebugDraw(&target, kodo_headOf(sizeof(kodo_DebugDraw)));
+    return target;
+}
+
+/// Draws bodies, joints, and what the last step did.
+KODO_C_API kodo_Status kodo_draw(const kodo_World* world, const kodo_DebugDraw* target,
+                                 const kodo_DrawOptions* options);
+/// Bounds of all bodies with a margin, to be shown. A plane counts as a point.
+KODO_C_API kodo_Status kodo_viewOf(const kodo_World* world, kodo_Aabb* view);
+/// A World as SVG, 640 pixels wide: `count` bytes of UTF-8, without a zero at the end. `view` may
+/// be null: that of kodo_viewOf().
+KODO_C_API kodo_Status kodo_svg(const kodo_World* world, const kodo_DrawOptions* options,
+                                const kodo_Aabb* view, char* text, size_t capacity, size_t* count);
+
 // Snapshots.
 
 /// A World as bytes: the same on every machine, and those of toBytes() in C++.

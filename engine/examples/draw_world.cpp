@@ -46,7 +46,8 @@ int main(int argc, char** argv) {
         }
         world.step(1.0f / 60);
         painter.clear();
-        kodo_sfml::paintWorld(painter, camera, world, {.contacts = true});
+        kodo_sfml::WorldPainter picture(painter, camera);
+        kodo::draw(world, picture, {.contacts = true});
         window.show(painter, {24, 28, 36});
     }
     std::printf("%ld frames, %zu bodies\n", shown, world.bodyCount());

@@ -6,6 +6,7 @@ import math
 import pathlib
 import re
 import unittest
+import xml.etree.ElementTree
 
 import kodo
 from kodo import _structs, buffers, fields
@@ -42,6 +43,25 @@ class Structs(unittest.TestCase):
         for enum in (kodo.BodyType, kodo.Flags, kodo.Phase, kodo.Feature):
             for member in enum:
                 self.assertEqual(int(numbers[member.name]), member.value, member)
+
+
+class Pictures(unittest.TestCase):
+    def test_each_body_is_an_element_of_a_well_formed_svg(self):
+        world, _ = falling_boxes()
+        world.add(kodo.Circle(0.5), position=(0, 8))
+        root = xml.etree.ElementTree.fromstring(world.svg(view=((-5, -1), (5, 9))))
+        name = "{http://www.w3.org/2000/svg}"
+        self.assertEqual(name + "svg", root.tag)
+        self.assertEqual("0 0 6400 6400", root.get("viewBox"))
+        self.assertEqual(1 + 3, len(root.findall(f".//{name}polygon")))  # ground and boxes
+        self.assertEqual(1, len(root.findall(f".//{name}circle")))
+        labelled = xml.etree.ElementTree.fromstring(world.svg(labels=True))
+        self.assertEqual(5, len(labelled.findall(f".//{name}text")))
+        self.assertEqual(world.svg(), world._repr_svg_())
+
+    def test_an_empty_view_is_refused(self):
+        with self.assertRaises(kodo.BadDefinition):
+            kodo.World().svg(view=((0, 0), (0, 0)))
 
 
 class Bodies(unittest.TestCase):

@@ -255,6 +255,9 @@ void Panel::viewTab(Workbench& bench) {
     ImGui::Checkbox("Contacts", &bench.look.contacts);
     ImGui::Checkbox("Impulses", &bench.look.impulses);
     ImGui::Checkbox("Bounds", &bench.look.bounds);
+    ImGui::Checkbox("Velocities", &bench.look.velocities);
+    ImGui::Checkbox("Centres of mass", &bench.look.centers);
+    ImGui::Checkbox("Colours of islands", &bench.look.islands);
     if (ImGui::Button("Whole scene (Home)")) {
         bench.showScene();
     }

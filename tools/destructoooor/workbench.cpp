@@ -17,7 +17,7 @@ constexpr Real kMotorSpeed = 4;  // rad/s
 constexpr Real kSpringHertz = 2;
 constexpr Real kPathStride = Real(0.15); // m, between points of a drawn line
 const kodo_sfml::Rgba kPathColor{255, 220, 90};
-const kodo_sfml::Rgba kTwinColor{255, 120, 120, 200};
+const kodo::DrawColor kTwinColor{255, 120, 120, 200};
 const kodo_sfml::Rgba kSurfaceColor{60, 120, 190, 110};
 const kodo_sfml::Rgba kDepthColor{30, 60, 110, 110};
 
@@ -259,15 +259,14 @@ void drawWater(kodo_sfml::Painter& painter, const kodo_sfml::Camera& view,
 void Workbench::draw(kodo_sfml::Painter& painter) const {
     const kodo_sfml::Camera view = camera();
     drawWater(painter, view, sandbox.world());
-    kodo_sfml::paintWorld(painter, view, sandbox.world(), look);
+    kodo_sfml::WorldPainter picture(painter, view);
+    kodo::draw(sandbox.world(), picture, look);
     if (const kodo::World* const twin = sandbox.twin()) {
         for (const BodyId id : twin->bodies()) {
             const kodo::BodyView body = (*twin)[id];
             for (std::size_t i = 0; i < body.partCount(); ++i) {
-                const auto outline =
-                    kodo_sfml::outlineOf(body.part(i).convex, body.massFrame(), view);
-                if (outline.size() > 2 && body.type() == kodo::BodyType::Dynamic) {
-                    painter.outline(outline, 1.5f, kTwinColor);
+                if (body.type() == kodo::BodyType::Dynamic) {
+                    kodo::draw(body.part(i).convex, body.massFrame(), picture, {kTwinColor});
                 }
             }
         }

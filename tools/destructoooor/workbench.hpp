@@ -55,7 +55,7 @@ public:
     float size = 1; // m, of what is dropped
     bool paused = false;
     bool quit = false;
-    kodo_sfml::WorldLook look{};
+    kodo::DrawOptions look{};
     std::string message; // about the last action; empty: none
 
     /// Pixels of the window that are not covered by panels.

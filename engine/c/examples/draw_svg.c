@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A World as a picture: writes an SVG of boxes and circles, from their parts, to the output.
+// A World as a picture: writes an SVG to the output.
 #include <kodo.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -36,43 +36,20 @@ static kodo_World* newPyramid(void) {
     return world;
 }
 
-static void drawBody(const kodo_World* world, kodo_BodyId id) {
-    kodo_BodyState body;
-    check(kodo_bodyState(world, id, &body));
-    const kodo_Vec2 place = body.transform.position;
-    double degrees = kodo_angle(body.transform.rotation) * 57.29578;
-    degrees = degrees > -0.05 && degrees < 0.05 ? 0 : degrees; // no "-0.0"
-    printf("<g transform=\"translate(%.2f %.2f) rotate(%.1f)\">", place.x, place.y, degrees);
-    for (size_t i = 0; i < body.partCount; ++i) {
-        kodo_Part part;
-        check(kodo_part(world, id, i, &part, NULL, 0));
-        if (part.shape.kind == KODO_CIRCLE) {
-            printf("<circle r=\"%.2f\"/>", part.shape.circle.radius);
-        } else if (part.shape.kind == KODO_BOX) {
-            const double width = part.shape.box.width;
-            const double height = part.shape.box.height;
-            printf("<rect x=\"%.2f\" y=\"%.2f\" width=\"%.2f\" height=\"%.2f\"/>", -width / 2,
-                   -height / 2, width, height);
-        }
-    }
-    printf("</g>\n");
-}
-
 int main(void) {
     kodo_World* world = newPyramid();
     for (int step = 0; step < 60; ++step) {
         check(kodo_step(world, 1.0f / 60, NULL));
     }
-    kodo_BodyId ids[16];
-    size_t count;
-    check(kodo_bodies(world, ids, 16, &count));
-    // y points up in the World and down in an SVG.
-    printf("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-5 -7 10 8\">\n"
-           "<g transform=\"scale(1 -1)\" fill=\"#9cf\" stroke=\"#246\" stroke-width=\"0.05\">\n");
-    for (size_t i = 0; i < count && i < 16; ++i) {
-        drawBody(world, ids[i]);
-    }
-    printf("</g>\n</svg>\n");
+    kodo_DrawOptions options = kodo_drawOptions();
+    options.contacts = true;
+    const kodo_Aabb view = {{-5, -1}, {5, 7}};
+    size_t count; // first the number of bytes, then the bytes
+    check(kodo_svg(world, &options, &view, NULL, 0, &count));
+    char* text = malloc(count);
+    check(kodo_svg(world, &options, &view, text, count, &count));
+    fwrite(text, 1, count, stdout);
+    free(text);
     check(kodo_destroyWorld(world));
     return 0;
 }

@@ -514,6 +514,51 @@ class QueryPoint(ctypes.Structure):
     ]
 
 
+class DrawColor(ctypes.Structure):
+    _fields_ = [("r", c_uint8), ("g", c_uint8), ("b", c_uint8), ("a", c_uint8)]
+
+
+class DrawStyle(ctypes.Structure):
+    _fields_ = [("line", DrawColor), ("fill", DrawColor), ("width", Real)]
+
+
+class DrawOptions(ctypes.Structure):
+    _fields_ = [
+        ("head", Head),
+        ("shapes", c_bool),
+        ("joints", c_bool),
+        ("contacts", c_bool),
+        ("impulses", c_bool),
+        ("bounds", c_bool),
+        ("velocities", c_bool),
+        ("centers", c_bool),
+        ("labels", c_bool),
+        ("metresPerImpulse", Real),
+        ("secondsOfVelocity", Real),
+        ("islands", c_bool),
+    ]
+
+
+class DebugDraw(ctypes.Structure):
+    _fields_ = [
+        ("head", Head),
+        ("context", c_void_p),
+        ("view", Aabb),
+        ("pixel", Real),
+        ("line", c_void_p),
+        ("circle", c_void_p),
+        ("polygon", c_void_p),
+        ("text", c_void_p),
+        ("rounded", c_void_p),
+        ("halfPlane", c_void_p),
+        ("point", c_void_p),
+        ("arrow", c_void_p),
+        ("spring", c_void_p),
+        ("begin", c_void_p),
+        ("label", c_void_p),
+    ]
+
+
 class SnapshotDef(ctypes.Structure):
     _fields_ = [
         ("head", Head),

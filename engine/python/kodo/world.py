@@ -355,6 +355,31 @@ class World:
         found = self._list("kodo_hits", c.CollisionRecord, Real(min_speed))
         return [from_record(each) for each in found]
 
+    # Drawing.
+
+    def svg(self, view: Optional[Aabb] = None, shapes: bool = True,
+            joints: bool = True, contacts: bool = False, impulses: bool = False,
+            bounds: bool = False, velocities: bool = False, centers: bool = False,
+            labels: bool = False, islands: bool = False) -> str:
+        """The World as a picture, which a browser or a notebook shows. view: m, world, by default
+        all bodies. Contacts and impulses are those of the last step; islands: one
+        colour for bodies that touch or share a joint."""
+        options = c.initialised(c.DrawOptions)
+        options.shapes, options.joints = shapes, joints
+        options.contacts, options.impulses = contacts, impulses
+        options.bounds, options.velocities = bounds, velocities
+        options.centers, options.labels, options.islands = centers, labels, islands
+        box = None if view is None else byref(to_aabb(view))
+        made, size = ctypes.create_string_buffer(0), c_size_t()
+        for _ in range(2):  # the second time with enough room
+            made = ctypes.create_string_buffer(size.value)
+            call("kodo_svg", self.handle, byref(options), box, made, size, byref(size))
+        return made.raw.decode("utf-8")
+
+    def _repr_svg_(self) -> str:
+        """What a notebook shows of a World."""
+        return self.svg()
+
     # Queries. `which` selects bodies; `ignore` leaves some out.
 
     def ray_cast(self, start: Vec2, end: Vec2, which: Filter = Filter(),

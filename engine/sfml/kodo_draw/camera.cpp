@@ -25,6 +25,10 @@ kodo::Vec2 Camera::toWorld(Pixel pixel) const {
     return shown_.center() + arm / scale_;
 }
 
+kodo::Aabb Camera::picture() const {
+    return {toWorld({0, 2 * middle_.y}), toWorld({2 * middle_.x, 0})};
+}
+
 Rect Camera::frame() const {
     const kodo::Vec2 size = scale_ * shown_.extent();
     return {middle_.x - 0.5f * size.x, middle_.y - 0.5f * size.y, size.x, size.y};

@@ -21,6 +21,8 @@ public:
     /// The shown rectangle in pixels.
     Rect frame() const;
     kodo::Aabb shown() const { return shown_; }
+    /// All that the picture shows: the rectangle, and what lies beside it.
+    kodo::Aabb picture() const;
 
 private:
     kodo::Aabb shown_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <kodo/world.hpp>
+#include <kodo/debug_draw.hpp>
 #include <kodo_sfml/painter.hpp>
 
 #include <kodo_draw/camera.hpp>
@@ -10,25 +10,27 @@ namespace kodo_sfml {
 
 using kodo_draw::Camera;
 
-/// Selects what is drawn of a World.
-struct WorldLook {
-    bool shapes = true;    // filled, with a line from the centre that shows the rotation; sleeping
-                           // bodies are almost transparent
-    bool contacts = false; // of the last step: point and normal
-    bool impulses = false; // of the last step: a line along the normal, length by totalImpulse
-    bool bounds = false;   // bounds of the bodies
-    float metresPerImpulse = 0.1f; // m/(N s), length of these lines
-    bool joints = true;            // see joint_painter.hpp
+/// The picture that kodo::draw() fills, as triangles of a Painter:
+///     kodo_sfml::WorldPainter picture(painter, camera);
+///     kodo::draw(world, picture, {.contacts = true});
+class WorldPainter : public kodo::DebugDraw {
+public:
+    /// Painter and font must live as long. Without a font no text is drawn.
+    WorldPainter(Painter& painter, const Camera& camera, const sf::Font* font = nullptr)
+        : painter_(painter), camera_(camera), font_(font) {}
+
+    kodo::Aabb view() const override { return camera_.picture(); }
+    kodo::Real pixel() const override { return 1 / camera_.toPixels(kodo::Real(1)); }
+    void line(kodo::Vec2 from, kodo::Vec2 to, const kodo::DrawStyle& style) override;
+    void circle(kodo::Vec2 center, kodo::Real radius, const kodo::DrawStyle& style) override;
+    void polygon(std::span<const kodo::Vec2> corners, const kodo::DrawStyle& style) override;
+    void text(kodo::Vec2 middle, std::string_view utf8, const kodo::DrawStyle& style) override;
+
+private:
+    Painter& painter_;
+    Camera camera_;
+    const sf::Font* font_;
+    std::vector<Pixel> corners_; // scratch of polygon()
 };
-
-/// Adds a World to a picture. Dynamic bodies are coloured by id; static and kinematic ones are
-/// grey.
-void paintWorld(Painter& painter, const Camera& camera, const kodo::World& world,
-                const WorldLook& look = {});
-
-/// The outline of a part in pixels, as a convex polygon: arcs become chords, and of a plane the
-/// shown piece is taken. A point has one corner, a segment without radius two.
-std::vector<Pixel> outlineOf(const kodo::ConvexShape& convex, const kodo::Transform& massFrame,
-                             const Camera& camera);
 
 } // namespace kodo_sfml

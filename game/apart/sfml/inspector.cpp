@@ -23,8 +23,9 @@ void Inspector::draw(SfmlCanvas& canvas, const ShownGame& shown) const {
     const std::size_t vertices = canvas.picture().vertexCount();
     const Game& game = shown.game;
     canvas.zoom(shown.closeup.focus, shown.closeup.scale);
-    kodo_sfml::paintWorld(canvas.painter(), canvas.drawingCamera(), game.world(),
-                          {true, true, true, true, 0.05f});
+    kodo_sfml::WorldPainter picture(canvas.painter(), canvas.drawingCamera());
+    kodo::draw(game.world(), picture,
+               {.contacts = true, .impulses = true, .bounds = true, .metresPerImpulse = 0.05f});
     canvas.zoom({}, 1);
     const Ledger& ledger = game.ledger();
     const std::array<std::string, 4> lines = {
