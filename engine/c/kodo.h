@@ -527,7 +527,10 @@ typedef struct kodo_BodyDef {
     kodo_Material material;    // of all parts
     kodo_Real density;         // kg/m^2
     bool hasMass;
-    kodo_MassDef mass; // instead of that of the density
+    kodo_MassDef mass;        // instead of that of the density
+    kodo_Real linearDamping;  // 1/s, 0 to 1e6: v(t) = v exp(-c t) without forces
+    kodo_Real angularDamping; // 1/s, likewise
+    kodo_Real gravityScale;   // of the forces of all gravity fields
     kodo_BodyType type;
     kodo_Flags flags;
     uint16_t required; // user flags, see kodo_Filter; needs a match mode in `flags`
@@ -552,6 +555,9 @@ KODO_C_API kodo_Status kodo_bodyCount(const kodo_World* world, size_t* count);
 /// In the order of ids.
 KODO_C_API kodo_Status kodo_bodies(const kodo_World* world, kodo_BodyId* ids, size_t capacity,
                                    size_t* count);
+/// The bodies that moved or fell asleep in the last step, in the order of ids.
+KODO_C_API kodo_Status kodo_movedBodies(const kodo_World* world, kodo_BodyId* ids, size_t capacity,
+                                        size_t* count);
 
 /// All that can be read of one body.
 typedef struct kodo_BodyState {
@@ -572,6 +578,9 @@ typedef struct kodo_BodyState {
     bool isAsleep;
     uint64_t userData;
     size_t partCount;
+    kodo_Real linearDamping;  // 1/s
+    kodo_Real angularDamping; // 1/s
+    kodo_Real gravityScale;
 } kodo_BodyState;
 
 KODO_C_API kodo_Status kodo_bodyState(const kodo_World* world, kodo_BodyId id,
@@ -614,6 +623,9 @@ KODO_C_API kodo_Status kodo_applyTorque(kodo_World* world, kodo_BodyId id, kodo_
 KODO_C_API kodo_Status kodo_applyImpulse(kodo_World* world, kodo_BodyId id, kodo_Vec2 impulse);
 KODO_C_API kodo_Status kodo_applyImpulseAt(kodo_World* world, kodo_BodyId id, kodo_Vec2 impulse,
                                            kodo_Vec2 point);
+/// N m s, counter-clockwise.
+KODO_C_API kodo_Status kodo_applyAngularImpulse(kodo_World* world, kodo_BodyId id,
+                                                kodo_Real impulse);
 KODO_C_API kodo_Status kodo_setType(kodo_World* world, kodo_BodyId id, kodo_BodyType type);
 KODO_C_API kodo_Status kodo_setFlags(kodo_World* world, kodo_BodyId id, kodo_Flags flags);
 KODO_C_API kodo_Status kodo_setRequired(kodo_World* world, kodo_BodyId id, uint16_t required);
@@ -621,12 +633,19 @@ KODO_C_API kodo_Status kodo_setUserData(kodo_World* world, kodo_BodyId id, uint6
 /// Of all parts.
 KODO_C_API kodo_Status kodo_setMaterial(kodo_World* world, kodo_BodyId id,
                                         const kodo_Material* material);
+KODO_C_API kodo_Status kodo_setLinearDamping(kodo_World* world, kodo_BodyId id,
+                                             kodo_Real perSecond);
+KODO_C_API kodo_Status kodo_setAngularDamping(kodo_World* world, kodo_BodyId id,
+                                              kodo_Real perSecond);
+KODO_C_API kodo_Status kodo_setGravityScale(kodo_World* world, kodo_BodyId id, kodo_Real scale);
 KODO_C_API kodo_Status kodo_setMass(kodo_World* world, kodo_BodyId id, const kodo_MassDef* mass);
 KODO_C_API kodo_Status kodo_setMassFromDensity(kodo_World* world, kodo_BodyId id);
 /// Makes a body move as another one, of this or another World, with its own shapes.
 KODO_C_API kodo_Status kodo_copyBodyFrom(kodo_World* world, kodo_BodyId id, const kodo_World* from,
                                          kodo_BodyId other);
 KODO_C_API kodo_Status kodo_wake(kodo_World* world, kodo_BodyId id);
+/// Puts the island of the body to sleep. `asleep` is false if something keeps it awake.
+KODO_C_API kodo_Status kodo_sleep(kodo_World* world, kodo_BodyId id, bool* asleep);
 
 /// Makes the parts of `part` parts of `into`, and removes `part`. `first` is the index of the first
 /// part added.

@@ -68,6 +68,8 @@ TEST_F(CNull, CallsOfABodyRefuseNullPointers) {
     refused("count", kodo_bodyCount(world_, nullptr));
     refused("count", kodo_bodies(world_, nullptr, 0, nullptr));
     refused("items", kodo_bodies(world_, nullptr, 1, &count_));
+    refused("count", kodo_movedBodies(world_, nullptr, 0, nullptr));
+    refused("asleep", kodo_sleep(world_, id_, nullptr));
     refused("state", kodo_bodyState(world_, id_, nullptr));
     refused("velocity", kodo_velocityAt(world_, id_, {}, nullptr));
     refused("contained", kodo_containsPoint(world_, id_, {}, nullptr));

@@ -152,6 +152,9 @@ TEST(CShapes, AllOtherNumbersOfADefinitionArrive) {
     def.density = 6;
     def.hasMass = true;
     def.mass = {7, true, {kodo_Real(0.1), kodo_Real(0.2)}, true, 8};
+    def.linearDamping = kodo_Real(0.25);
+    def.angularDamping = kodo_Real(0.5);
+    def.gravityScale = -2;
     def.flags = KODO_MATCH_ALL | KODO_NEVER_SLEEP | 3;
     def.required = 9;
     def.userData = 0x123456789abcdef0;
@@ -166,6 +169,9 @@ TEST(CShapes, AllOtherNumbersOfADefinitionArrive) {
                       kodo_Real(0.3), kodo::MixRule::Multiply, kodo::MixRule::Maximum},
          .density = 6,
          .mass = kodo::MassDef{7, kodo::Vec2{kodo_Real(0.1), kodo_Real(0.2)}, kodo::Real(8)},
+         .linearDamping = kodo_Real(0.25),
+         .angularDamping = kodo_Real(0.5),
+         .gravityScale = -2,
          .flags = kodo::kMatchAll | kodo::kNeverSleep | 3,
          .required = 9,
          .userData = 0x123456789abcdef0});
@@ -176,6 +182,9 @@ TEST(CShapes, AllOtherNumbersOfADefinitionArrive) {
     EXPECT_EQ(view.mass(), state.mass);
     EXPECT_EQ(view.inertia(), state.inertia);
     EXPECT_EQ(view.area(), state.area);
+    EXPECT_EQ(kodo_Real(0.25), state.linearDamping);
+    EXPECT_EQ(kodo_Real(0.5), state.angularDamping);
+    EXPECT_EQ(-2, state.gravityScale);
     EXPECT_EQ(view.bounds().upper.x, state.bounds.upper.x);
     EXPECT_EQ(view.center().x, state.massFrame.position.x);
     EXPECT_EQ(view.localCenter().y, state.localCenter.y);

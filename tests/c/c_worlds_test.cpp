@@ -259,6 +259,14 @@ TEST(CWorlds, SettersAreThoseOfCpp) {
     compare("applyImpulse", kodo_applyImpulse(world, id, kodo_vec2(1, 2)));
     other[same].applyImpulse({1, 2}, {3, 4});
     compare("applyImpulseAt", kodo_applyImpulseAt(world, id, kodo_vec2(1, 2), kodo_vec2(3, 4)));
+    other[same].applyAngularImpulse(2);
+    compare("applyAngularImpulse", kodo_applyAngularImpulse(world, id, 2));
+    other[same].setLinearDamping(kodo::Real(0.5));
+    compare("setLinearDamping", kodo_setLinearDamping(world, id, kodo_Real(0.5)));
+    other[same].setAngularDamping(kodo::Real(0.25));
+    compare("setAngularDamping", kodo_setAngularDamping(world, id, kodo_Real(0.25)));
+    other[same].setGravityScale(-1);
+    compare("setGravityScale", kodo_setGravityScale(world, id, -1));
     other[same].setFlags(5 | kodo::kMatchAny);
     compare("setFlags", kodo_setFlags(world, id, 5 | KODO_MATCH_ANY));
     other[same].setRequired(6);
@@ -290,6 +298,23 @@ TEST(CWorlds, SettersAreThoseOfCpp) {
     compare("cloneBody", kodo_cloneBody(world, id, kodo_vec2(9, 9), &clone));
     other.remove(otherSecond);
     compare("removeBody", kodo_removeBody(world, second));
+}
+
+TEST(CWorlds, SleepAndMovedBodiesAreThoseOfCpp) {
+    Scene scene;
+    scene.step(2);
+    const kodo_BodyId id = scene.ids[3];
+    const kodo::BodyId same{id.index, id.generation, 0};
+    bool asleep = false;
+    EXPECT_TRUE(scene.other[same].sleep());
+    EXPECT_OK(kodo_sleep(scene.world, id, &asleep));
+    EXPECT_TRUE(asleep);
+    EXPECT_EQ(scene.other.stateHash(), scene.world.hash());
+    std::vector<kodo_BodyId> moved(scene.ids.size());
+    std::size_t count = 0;
+    EXPECT_OK(kodo_movedBodies(scene.world, moved.data(), moved.size(), &count));
+    EXPECT_GT(count, 1u);
+    EXPECT_EQ(scene.other.movedBodies().size(), count);
 }
 
 TEST(CWorlds, WeldAndUnweldAreThoseOfCpp) {

@@ -125,7 +125,7 @@ class Bodies(unittest.TestCase):
 
     def test_a_belt_conveys_and_a_bumper_throws(self):
         world = kodo.World(gravity=(0, -10))
-        belt = kodo.Material(surface_speed=2, friction_rule=kodo.MixRule.MAXIMUM)
+        belt = kodo.Material(0.5, 0.5, surface_speed=2, friction_rule=kodo.MixRule.MAXIMUM)
         floor = world.add(kodo.Box(100, 1), (0, -0.5), material=belt, type=kodo.BodyType.STATIC)
         self.assertEqual(belt, floor.parts[0].material)
         ice = kodo.with_friction(0)
@@ -137,6 +137,25 @@ class Bodies(unittest.TestCase):
             world.step(1 / 60)
         self.assertAlmostEqual(2, crate.velocity[0], places=3)
         self.assertGreater(ball.position[1], 0)
+
+    def test_damping_gravity_scale_and_sleep_by_call(self):
+        world = kodo.World(gravity=(0, -10))
+        slow = world.add(velocity=(1, 0), angular_velocity=1, linear_damping=2, angular_damping=3,
+                         gravity_scale=0)
+        self.assertEqual((2, 3, 0), (slow.linear_damping, slow.angular_damping, slow.gravity_scale))
+        for _ in range(60):
+            world.step(1 / 60)
+        self.assertAlmostEqual(math.exp(-2), slow.velocity[0], places=5)
+        self.assertAlmostEqual(math.exp(-3), slow.angular_velocity, places=5)
+        self.assertEqual([slow], world.moved_bodies)
+        local = slow.transform.to_local(slow.transform * (1, 2))
+        self.assertAlmostEqual(2, local[1], places=5)
+        slow.linear_damping, slow.angular_damping, slow.gravity_scale = 0, 0, -1
+        slow.apply_angular_impulse(slow.inertia)
+        self.assertAlmostEqual(1 + math.exp(-3), slow.angular_velocity, places=5)
+        self.assertTrue(slow.sleep())
+        self.assertTrue(slow.is_asleep)
+        self.assertEqual((0, 0), slow.velocity)
 
     def test_outlines_become_polygons(self):
         corner = ((0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2))

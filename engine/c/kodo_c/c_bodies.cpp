@@ -16,7 +16,8 @@ void writeMass(const std::optional<kodo::MassDef>& mass, kodo_BodyDef& def) {
 
 void writeDefaults(kodo_BodyDef& def) {
     const auto& [shape, position, rotation, velocity, angularVelocity, material, density, mass,
-                 type, flags, required, userData] = kodo::BodyDef{};
+                 linearDamping, angularDamping, gravityScale, type, flags, required, userData] =
+        kodo::BodyDef{};
     def.shape = toC(kodo::primitivesOf(shape).front());
     def.position = toC(position);
     def.rotation = toC(rotation);
@@ -25,6 +26,9 @@ void writeDefaults(kodo_BodyDef& def) {
     def.material = toC(material);
     def.density = density;
     writeMass(mass, def);
+    def.linearDamping = linearDamping;
+    def.angularDamping = angularDamping;
+    def.gravityScale = gravityScale;
     def.type = toC(type);
     def.flags = flags;
     def.required = required;
@@ -46,17 +50,13 @@ kodo::MassDef fromC(const kodo_MassDef& mass) {
 }
 
 kodo::BodyDef fromC(const kodo_BodyDef& def) {
-    return {fromC(def.shape),
-            fromC(def.position),
-            fromC(def.rotation),
-            fromC(def.velocity),
-            def.angularVelocity,
-            fromC(def.material),
-            def.density,
-            optionalFromC(def.hasMass, def.mass),
-            bodyTypeFromC(def.type),
-            def.flags,
-            def.required,
+    return {fromC(def.shape),    fromC(def.position),
+            fromC(def.rotation), fromC(def.velocity),
+            def.angularVelocity, fromC(def.material),
+            def.density,         optionalFromC(def.hasMass, def.mass),
+            def.linearDamping,   def.angularDamping,
+            def.gravityScale,    bodyTypeFromC(def.type),
+            def.flags,           def.required,
             def.userData};
 }
 
@@ -79,6 +79,9 @@ kodo_BodyState stateOf(const kodo::BodyView& body) {
     state.isAsleep = body.isAsleep();
     state.userData = body.userData();
     state.partCount = body.partCount();
+    state.linearDamping = body.linearDamping();
+    state.angularDamping = body.angularDamping();
+    state.gravityScale = body.gravityScale();
     return state;
 }
 
@@ -131,6 +134,11 @@ kodo_Status kodo_bodyCount(const kodo_World* world, size_t* count) {
 
 kodo_Status kodo_bodies(const kodo_World* world, kodo_BodyId* ids, size_t capacity, size_t* count) {
     return guarded([&] { writeList(worldOf(world).bodies(), ids, capacity, count); });
+}
+
+kodo_Status kodo_movedBodies(const kodo_World* world, kodo_BodyId* ids, size_t capacity,
+                             size_t* count) {
+    return guarded([&] { writeList(worldOf(world).movedBodies(), ids, capacity, count); });
 }
 
 kodo_Status kodo_bodyState(const kodo_World* world, kodo_BodyId id, kodo_BodyState* state) {

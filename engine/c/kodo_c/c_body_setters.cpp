@@ -64,6 +64,10 @@ kodo_Status kodo_applyImpulseAt(kodo_World* world, kodo_BodyId id, kodo_Vec2 imp
                   [&](kodo::BodyRef body) { body.applyImpulse(fromC(impulse), fromC(point)); });
 }
 
+kodo_Status kodo_applyAngularImpulse(kodo_World* world, kodo_BodyId id, kodo_Real impulse) {
+    return change(world, id, [&](kodo::BodyRef body) { body.applyAngularImpulse(impulse); });
+}
+
 kodo_Status kodo_setType(kodo_World* world, kodo_BodyId id, kodo_BodyType type) {
     return change(world, id, [&](kodo::BodyRef body) { body.setType(bodyTypeFromC(type)); });
 }
@@ -86,6 +90,18 @@ kodo_Status kodo_setMaterial(kodo_World* world, kodo_BodyId id, const kodo_Mater
     });
 }
 
+kodo_Status kodo_setLinearDamping(kodo_World* world, kodo_BodyId id, kodo_Real perSecond) {
+    return change(world, id, [&](kodo::BodyRef body) { body.setLinearDamping(perSecond); });
+}
+
+kodo_Status kodo_setAngularDamping(kodo_World* world, kodo_BodyId id, kodo_Real perSecond) {
+    return change(world, id, [&](kodo::BodyRef body) { body.setAngularDamping(perSecond); });
+}
+
+kodo_Status kodo_setGravityScale(kodo_World* world, kodo_BodyId id, kodo_Real scale) {
+    return change(world, id, [&](kodo::BodyRef body) { body.setGravityScale(scale); });
+}
+
 kodo_Status kodo_setMass(kodo_World* world, kodo_BodyId id, const kodo_MassDef* mass) {
     return change(world, id,
                   [&](kodo::BodyRef body) { body.setMass(fromC(required(mass, "mass"))); });
@@ -104,4 +120,11 @@ kodo_Status kodo_copyBodyFrom(kodo_World* world, kodo_BodyId id, const kodo_Worl
 
 kodo_Status kodo_wake(kodo_World* world, kodo_BodyId id) {
     return change(world, id, [&](kodo::BodyRef body) { body.wake(); });
+}
+
+kodo_Status kodo_sleep(kodo_World* world, kodo_BodyId id, bool* asleep) {
+    return change(world, id, [&](kodo::BodyRef body) {
+        bool& sleeps = required(asleep, "asleep");
+        sleeps = body.sleep();
+    });
 }

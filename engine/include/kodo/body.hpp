@@ -131,6 +131,9 @@ struct BodyDef {
     Material material{};           // of all parts; of a Chain, unless it has its own
     Real density = 1;              // kg/m^2; the mass follows from it and the shape
     std::optional<MassDef> mass{}; // instead of that mass
+    Real linearDamping = 0;        // 1/s, 0 to kMaxDamping: v(t) = v exp(-c t) without forces
+    Real angularDamping = 0;       // 1/s, likewise
+    Real gravityScale = 1;         // of the forces of all Gravity fields; up to kMaxGravityScale
     BodyType type = BodyType::Dynamic;
     Flags flags = 0;            // categories in the low 16 bits, motion locks, kSensor, ...
     std::uint16_t required = 0; // see CollisionFilter; refused without a match mode
@@ -141,9 +144,11 @@ struct BodyDef {
 /// times the length unit of the World). Beyond it the resolution of a Real is coarser than 1 % of
 /// the unit. A body may move farther: setRegion() ends its simulation there.
 inline constexpr Real kMaxCoordinate = sizeof(Real) == 4 ? Real(1e5) : Real(1e13);
-inline constexpr Real kMaxSpeed = Real(1e7);    // m/s, times the length unit; or rad/s
-inline constexpr Real kMinDensity = Real(1e-9); // kg/m^2
-inline constexpr Real kMaxDensity = Real(1e9);  // kg/m^2
+inline constexpr Real kMaxSpeed = Real(1e7);        // m/s, times the length unit; or rad/s
+inline constexpr Real kMaxDamping = Real(1e6);      // 1/s
+inline constexpr Real kMaxGravityScale = Real(1e6); // size; negative scales lift
+inline constexpr Real kMinDensity = Real(1e-9);     // kg/m^2
+inline constexpr Real kMaxDensity = Real(1e9);      // kg/m^2
 /// Masses (kg) of bodies and parts lie between 1 / kMaxMass and kMaxMass. Moments of inertia
 /// (kg m^2) lie between the squares of these. So products of two stay finite.
 inline constexpr Real kMaxMass = sizeof(Real) == 4 ? Real(1e18) : Real(1e100);
@@ -187,6 +192,15 @@ public:
     std::uint16_t required() const;
     std::uint64_t userData() const;
     bool isAsleep() const;
+    Real linearDamping() const;  // 1/s
+    Real angularDamping() const; // 1/s
+    Real gravityScale() const;
+
+    // Between the world and the frame of the shape: points (m), and vectors, which only turn.
+    Vec2 toWorld(Vec2 point) const { return transform() * point; }
+    Vec2 toLocal(Vec2 point) const { return kodo::toLocal(transform(), point); }
+    Vec2 toWorldVector(Vec2 vector) const { return rotation() * vector; }
+    Vec2 toLocalVector(Vec2 vector) const { return rotation().inverse() * vector; }
 
     std::size_t partCount() const;
     /// Valid until the body is changed. Throws std::out_of_range.
@@ -228,6 +242,7 @@ public:
     void applyTorque(Real torque);               // N m, counter-clockwise
     void applyImpulse(Vec2 impulse);             // N s, at the centre of mass
     void applyImpulse(Vec2 impulse, Vec2 point); // N s, at a world point (m)
+    void applyAngularImpulse(Real impulse);      // N m s, counter-clockwise
 
     /// Static sets the velocities to zero. Throws BadDefinition for a dynamic body with a plane.
     void setType(BodyType type);
@@ -235,6 +250,9 @@ public:
     void setRequired(std::uint16_t required);
     void setUserData(std::uint64_t userData);
     void setMaterial(const Material& material); // of all parts
+    void setLinearDamping(Real perSecond);
+    void setAngularDamping(Real perSecond);
+    void setGravityScale(Real scale);
 
     /// Sets the mass (kg), also of a static or kinematic body, for which it counts once the body is
     /// dynamic. All points keep their velocities. World::weld() adds masses, set or not, and
@@ -245,15 +263,21 @@ public:
     void setMassFromDensity();
 
     /// Makes the body move as another one, of this or another World, with its own shapes [Thesis06,
-    /// 4.1.8]. Copies pose, velocities, type, flags without status, `required`, mass, centre of
-    /// mass and moment of inertia; the material of each part, or of the last one for parts that the
-    /// other has not. User data, forces and joints stay. Refused where a setter would refuse it;
-    /// a body that is static, kinematic or locked then keeps a mass that it cannot copy.
+    /// 4.1.8]. Copies pose, velocities, type, flags without status, `required`, damping, gravity
+    /// scale, mass, centre of mass and moment of inertia; the material of each part, or of the last
+    /// one for parts that the other has not. User data, forces and joints stay. Refused where a
+    /// setter would refuse it; a body that is static, kinematic or locked then keeps a mass that it
+    /// cannot copy.
     void copyFrom(const BodyView& other);
 
     /// Wakes the body, its island, and all that touches it or shares a joint with it; restarts the
     /// count of calm steps of what is awake. Setters do so too.
     void wake();
+    /// Puts the island of the body to sleep: with zero velocity, until something wakes it. False,
+    /// and nothing changes, if the island has a kNeverSleep, a kinematic body that moves or a
+    /// surface speed, or if sleep is left out. Bodies that never took part in a step touch nothing
+    /// yet, and wake where they do.
+    bool sleep();
 
 private:
     std::uint32_t changing(const char* call) const;

@@ -64,6 +64,10 @@ public:
     bool contains(BodyId id) const;
     std::size_t bodyCount() const;
     std::vector<BodyId> bodies() const; // in the order of their ids
+    /// The bodies that moved or fell asleep in the last step, in the order of their ids: others
+    /// have the pose of before, unless a call changed it. Costs the awake bodies, and nothing if it
+    /// is not called.
+    std::vector<BodyId> movedBodies() const;
 
     BodyRef operator[](BodyId id);
     BodyView operator[](BodyId id) const;

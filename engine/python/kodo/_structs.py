@@ -218,6 +218,9 @@ class BodyDef(ctypes.Structure):
         ("density", Real),
         ("hasMass", c_bool),
         ("mass", MassDef),
+        ("linearDamping", Real),
+        ("angularDamping", Real),
+        ("gravityScale", Real),
         ("type", c_int32),
         ("flags", c_uint32),
         ("required", c_uint16),
@@ -244,6 +247,9 @@ class BodyState(ctypes.Structure):
         ("isAsleep", c_bool),
         ("userData", c_uint64),
         ("partCount", c_size_t),
+        ("linearDamping", Real),
+        ("angularDamping", Real),
+        ("gravityScale", Real),
     ]
 
 

@@ -128,6 +128,33 @@ class Body:
         self._call("kodo_setUserData", ctypes.c_uint64(number))
 
     @property
+    def linear_damping(self) -> float:
+        """1/s: the velocity falls by exp(-c t) without forces."""
+        return self._state().linearDamping
+
+    @linear_damping.setter
+    def linear_damping(self, per_second: float) -> None:
+        self._call("kodo_setLinearDamping", Real(per_second))
+
+    @property
+    def angular_damping(self) -> float:
+        """1/s, likewise."""
+        return self._state().angularDamping
+
+    @angular_damping.setter
+    def angular_damping(self, per_second: float) -> None:
+        self._call("kodo_setAngularDamping", Real(per_second))
+
+    @property
+    def gravity_scale(self) -> float:
+        """Of the forces of all gravity fields."""
+        return self._state().gravityScale
+
+    @gravity_scale.setter
+    def gravity_scale(self, scale: float) -> None:
+        self._call("kodo_setGravityScale", Real(scale))
+
+    @property
     def mass(self) -> float:
         """kg, also of a static or kinematic body."""
         return self._state().mass
@@ -215,6 +242,10 @@ class Body:
         else:
             self._call("kodo_applyImpulseAt", to_vec2(impulse), to_vec2(point))
 
+    def apply_angular_impulse(self, impulse: float) -> None:
+        """N m s, counter-clockwise, at once."""
+        self._call("kodo_applyAngularImpulse", Real(impulse))
+
     def set_material(self, material: Material) -> None:
         """Of all parts."""
         self._call("kodo_setMaterial", byref(to_material(material)))
@@ -261,6 +292,12 @@ class Body:
     def wake(self) -> None:
         """Wakes the body, its island, and all that touches it."""
         self._call("kodo_wake")
+
+    def sleep(self) -> bool:
+        """Puts the island of the body to sleep. False if something keeps it awake."""
+        asleep = ctypes.c_bool()
+        self._call("kodo_sleep", byref(asleep))
+        return asleep.value
 
     def remove(self) -> None:
         """Removes the body and its joints."""

@@ -121,6 +121,12 @@ class Transform(NamedTuple):
         (x, y), (cosine, sine) = self.position, self.rotation
         return (cosine * point[0] - sine * point[1] + x, sine * point[0] + cosine * point[1] + y)
 
+    def to_local(self, point: Vec2) -> Vec2:
+        """A point of the world (m) in this frame."""
+        cosine, sine = self.rotation
+        x, y = point[0] - self.position[0], point[1] - self.position[1]
+        return (cosine * x + sine * y, cosine * y - sine * x)
+
 
 def to_vec2(value: Sequence[float]) -> c.Vec2:
     x, y = value

@@ -126,10 +126,13 @@ class World:
         flags: int = 0,
         required: int = 0,
         user_data: int = 0,
+        linear_damping: float = 0.0,
+        angular_damping: float = 0.0,
+        gravity_scale: float = 1.0,
     ) -> Body:
         """Adds a body. position: m, world, of the shape's frame; angle: rad; velocity: m/s, of the
         centre of mass; angular_velocity: rad/s; density: kg/m^2; mass: kg, instead of that of the
-        density."""
+        density; damping: 1/s."""
         definition = c.initialised(c.BodyDef)
         built = BuiltShape(shape)
         definition.shape = built.struct
@@ -146,6 +149,9 @@ class World:
         definition.flags = int(flags)
         definition.required = required
         definition.userData = user_data
+        definition.linearDamping = linear_damping
+        definition.angularDamping = angular_damping
+        definition.gravityScale = gravity_scale
         added = c.BodyId()
         call("kodo_addBody", self.handle, byref(definition), byref(added))
         return Body(self, from_body_id(added))
@@ -172,6 +178,12 @@ class World:
     def bodies(self) -> List[Body]:
         """In the order of ids."""
         ids = self._list("kodo_bodies", c.BodyId)
+        return [Body(self, from_body_id(each)) for each in ids]
+
+    @property
+    def moved_bodies(self) -> List[Body]:
+        """The bodies that moved or fell asleep in the last step, in the order of ids."""
+        ids = self._list("kodo_movedBodies", c.BodyId)
         return [Body(self, from_body_id(each)) for each in ids]
 
     def __iter__(self) -> Iterator[Body]:

@@ -2,6 +2,7 @@
 #include "bodies/bodies.hpp"
 
 #include "bodies/body_checks.hpp"
+#include "bodies/integrate.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -104,6 +105,7 @@ BodyId addBody(Bodies& bodies, const BodyDef& def, std::shared_ptr<const BodyGeo
     record.geometry = std::move(geometry);
     record.userData = def.userData;
     bodies.record[slot.index] = std::move(record);
+    setRules(bodies, slot.index, {def.linearDamping, def.angularDamping, def.gravityScale});
     bodies.changes.lostLoads.reserve(bodies.record.capacity());
     bodies.filter[slot.index] = {(def.flags & ~(kStatusFlags | kTypeBits)) | bitsOf(def.type),
                                  def.required};
@@ -132,7 +134,7 @@ void removeBody(Bodies& bodies, std::uint32_t index) {
 FormerBody formerBodyOf(const Bodies& bodies, std::uint32_t body) {
     CollisionFilter filter = bodies.filter[body];
     filter.flags &= ~kStatusFlags;
-    return {true, filter, bodies.record[body].userData};
+    return {true, filter, bodies.record[body].userData, bodies.record[body].rules};
 }
 
 BodyId unweldPart(Bodies& bodies, std::uint32_t body, const DividedGeometry& geometry,
@@ -151,6 +153,9 @@ BodyId unweldPart(Bodies& bodies, std::uint32_t body, const DividedGeometry& geo
     def.flags = made.filter.flags;
     def.required = made.filter.required;
     def.userData = made.userData;
+    def.linearDamping = made.rules.linearDamping;
+    def.angularDamping = made.rules.angularDamping;
+    def.gravityScale = made.rules.gravityScale;
     const BodyId freed = addBody(bodies, def, geometry.taken);
     setGeometry(bodies, body, geometry.rest);
     if (setMass && canTurn(bodies, body) && canTurn(bodies, freed.index)) {

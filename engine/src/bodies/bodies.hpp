@@ -22,6 +22,7 @@ inline namespace KODO_PRECISION {
 struct BodyRecord {
     std::shared_ptr<const BodyGeometry> geometry;
     std::uint64_t userData = 0;
+    MotionRules rules;
     Vec2 force;      // N; accumulated since the last step, see addForce()
     Real torque = 0; // N m
     /// Number of steps, with the next one, in which LoadRelease looks at the body.
@@ -44,6 +45,7 @@ struct BodyChanges {
     std::vector<std::uint32_t> lostLoads;  // with BodyRecord::lostLoad > 0; also repeated or gone
     std::vector<std::uint32_t> entered;    // active without an acceleration; also repeated or gone
     bool loadsStale = true;                // Bodies::loads
+    bool anyDamped = false;                // some body has, or had, a damping
 };
 
 /// All bodies of a World as parallel arrays, indexed by BodyId::index. A free slot has zero
@@ -194,8 +196,7 @@ FormerBody formerBodyOf(const Bodies& bodies, std::uint32_t body);
 /// step only, even if the body is inactive then.
 void addForce(Bodies& bodies, std::uint32_t body, Vec2 force, Real torque);
 
-/// Stops a body and sets kFrozen. Used when its motion is unsound: not finite, or faster than
-/// kMaxSpeed in units of the World's length unit.
+/// Stops a body and sets kFrozen. Used when its motion is unsound: see isSound().
 void freeze(Bodies& bodies, std::uint32_t body);
 inline bool isSound(const BodyVelocity& motion, Real lengthUnit) {
     const Real most = kMaxSpeed * lengthUnit;

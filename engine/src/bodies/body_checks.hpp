@@ -3,6 +3,7 @@
 
 #include <kodo/body.hpp>
 
+#include "bodies/part_list.hpp"
 #include "math/vec2_checks.hpp"
 
 #include <optional>
@@ -20,6 +21,7 @@ std::optional<Problem> checkVelocity(const char* field, Vec2 value, Real lengthU
 std::optional<Problem> checkAngularVelocity(const char* field, Real value);
 std::optional<Problem> checkDensity(Real value);
 std::optional<Problem> checkTimeStep(Real dt);
+std::optional<Problem> check(const MotionRules& rules);
 inline constexpr const char* kMustBeZeroForStatic =
     "must be zero for a static body: make it Kinematic";
 // Flag bits in which the engine stores the type of a body; neither: dynamic.

@@ -74,6 +74,16 @@ std::optional<Problem> checkTimeStep(Real dt) {
     return problem;
 }
 
+std::optional<Problem> check(const MotionRules& rules) {
+    if (auto problem = checkRange("linearDamping", rules.linearDamping, 0, kMaxDamping, "1/s")) {
+        return problem;
+    }
+    if (auto problem = checkRange("angularDamping", rules.angularDamping, 0, kMaxDamping, "1/s")) {
+        return problem;
+    }
+    return checkRange("gravityScale", rules.gravityScale, -kMaxGravityScale, kMaxGravityScale);
+}
+
 std::optional<Problem> checkFlags(const char* field, Flags value) {
     if ((value & kTypeBits) != 0) {
         return Problem{field, "must not have bits 25 and 26, which are reserved: the type of a "
@@ -176,6 +186,10 @@ std::optional<Problem> check(const BodyDef& def, Real lengthUnit) {
         return problem;
     }
     if (auto problem = checkDensity(def.density)) {
+        return problem;
+    }
+    if (auto problem =
+            check(MotionRules{def.linearDamping, def.angularDamping, def.gravityScale})) {
         return problem;
     }
     const std::vector<Part> parts = partsOf(def);

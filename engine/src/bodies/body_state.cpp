@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a snapshot holds of bodies.
 #include "bodies/bodies.hpp"
+#include "bodies/integrate.hpp"
 
 #include <cmath>
 #include <map>
@@ -77,6 +78,7 @@ void checkList(const PartList& list) {
             "what parts were before does not fit the parts");
     for (const FormerBody& former : list.former) {
         require(checkFlags("flags", former.filter.flags & ~kTypeBits));
+        require(check(former.rules));
     }
 }
 
@@ -88,6 +90,8 @@ void completeBody(Bodies& bodies, std::uint32_t body) {
     for (const Part& part : record.geometry->parts) {
         require(checkPlaneType(part.primitive, bodies.filter[body].flags));
     }
+    require(check(record.rules));
+    setRules(bodies, body, MotionRules(record.rules));
     const Transform& pose = bodies.pose[body];
     const BodyVelocity& motion = bodies.motion[body];
     require(isBounded(pose.position) && isBounded(motion.velocity) &&
@@ -169,9 +173,9 @@ void visitState(StateStream& stream, Bodies& bodies,
             changes.arrived.push_back(i);
         }
         if (ids.aliveAt(i)) {
-            auto& [geometry, userData, force, torque, lostLoad, crowdRank] = records[i];
+            auto& [geometry, userData, rules, force, torque, lostLoad, crowdRank] = records[i];
             geometries.visitNumber(stream, geometry);
-            stream(filter[i], userData, force, torque, lostLoad, pose[i], motion[i],
+            stream(filter[i], userData, rules, force, torque, lostLoad, pose[i], motion[i],
                    acceleration[i], sleep[i], crowdRank);
             if (stream.reads()) {
                 completeBody(bodies, i);

@@ -72,6 +72,15 @@ std::uint64_t BodyView::userData() const {
 bool BodyView::isAsleep() const {
     return (flags() & kAsleep) != 0;
 }
+Real BodyView::linearDamping() const {
+    return bodies_->record[index()].rules.linearDamping;
+}
+Real BodyView::angularDamping() const {
+    return bodies_->record[index()].rules.angularDamping;
+}
+Real BodyView::gravityScale() const {
+    return bodies_->record[index()].rules.gravityScale;
+}
 std::size_t BodyView::partCount() const {
     return bodies_->geometry(index()).parts.size();
 }

@@ -15,7 +15,7 @@ Transform midStep(const BodyView& body, Real dt) {
 }
 
 FieldForce Gravity::at(const BodyView& body, Real) const {
-    return {body.mass() * acceleration_};
+    return {body.gravityScale() * body.mass() * acceleration_};
 }
 
 } // namespace KODO_PRECISION

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bodies/integrate.hpp"
 
+#include "math/decay.hpp"
 #include "math/lane_rotations.hpp"
 
 #include <algorithm>
@@ -36,6 +37,24 @@ Acceleration accelerationOf(const Bodies& bodies, std::uint32_t i,
             motion.invInertia / (1 + dt * push.spinDrag * motion.invInertia) * push.torque,
             std::min(std::numeric_limits<Real>::max(), motion.invMass * forces)}; // also for NaN
 }
+
+/// exp(-c dt) for one coefficient after the other; most bodies in sequence have the same.
+class Decay {
+public:
+    explicit Decay(Real dt) : dt_(dt) {}
+    Real of(Real perSecond) {
+        if (perSecond != last_) {
+            last_ = perSecond;
+            factor_ = decay(perSecond * dt_);
+        }
+        return factor_;
+    }
+
+private:
+    Real dt_;
+    Real last_ = 0;
+    Real factor_ = 1;
+};
 
 /// movePoses() for kLanes bodies, bit-identical.
 void movePosesInLanes(Bodies& bodies, const std::uint32_t* list) {
@@ -125,6 +144,30 @@ void beginMotion(Bodies& bodies, std::span<const std::uint32_t> list) {
             WorkerTeam::mark(bodies.anyStopped);
         }
     }
+}
+
+void setRules(Bodies& bodies, std::uint32_t body, const MotionRules& rules) {
+    bodies.record[body].rules = rules;
+    bodies.changes.anyDamped =
+        bodies.changes.anyDamped || rules.linearDamping > 0 || rules.angularDamping > 0;
+    bodies.accelerationsStale = true;
+}
+
+void dampVelocities(Bodies& bodies, Real dt, WorkerTeam& team) {
+    team.forEach(bodies.awake.size(), kBodiesPerPiece, [&](std::size_t first, std::size_t last) {
+        Decay linear(dt);
+        Decay angular(dt);
+        for (std::size_t k = first; k < last; ++k) {
+            const MotionRules& rules = bodies.record[bodies.awake[k]].rules;
+            BodyVelocity& motion = bodies.motion[bodies.awake[k]];
+            if (rules.linearDamping > 0 && motion.invMass > 0) {
+                motion.velocity *= linear.of(rules.linearDamping);
+            }
+            if (rules.angularDamping > 0 && motion.invInertia > 0) {
+                motion.angularVelocity *= angular.of(rules.angularDamping);
+            }
+        }
+    });
 }
 
 void integrateVelocities(Bodies& bodies, std::span<const std::uint32_t> list, Real h) {

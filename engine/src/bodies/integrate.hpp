@@ -25,6 +25,13 @@ void noteLoads(Bodies& bodies);
 /// stopped. Called from several threads.
 void beginMotion(Bodies& bodies, std::span<const std::uint32_t> list);
 
+/// Sets how a body moves by itself.
+void setRules(Bodies& bodies, std::uint32_t body, const MotionRules& rules);
+
+/// Damps the velocities over dt, exactly: v exp(-c dt). Before the forces of the step, so that a
+/// body at rest on others presses on them with its whole weight.
+void dampVelocities(Bodies& bodies, Real dt, WorkerTeam& team);
+
 /// Constraints that may act on a body within a step.
 enum class ContactExposure : std::uint8_t {
     Free,    // none: no contact, no joint

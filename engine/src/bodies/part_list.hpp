@@ -20,12 +20,21 @@ struct SetMass {
     Mass mass; // centre in the frame of the body's shape
 };
 
+/// How a body moves by itself; see BodyDef.
+struct MotionRules {
+    Real linearDamping = 0;  // 1/s
+    Real angularDamping = 0; // 1/s
+    Real gravityScale = 1;
+    friend bool operator==(const MotionRules&, const MotionRules&) = default;
+};
+
 /// What a part was as a body of its own, before World::weld(): it becomes that again when it is
 /// taken off.
 struct FormerBody {
     bool known = false;     // false: the part never was a body of its own
     CollisionFilter filter; // flags with the type bits, without status
     std::uint64_t userData = 0;
+    MotionRules rules;
 };
 
 /// What a definition says of a part.

@@ -311,6 +311,23 @@ void SleepSystem::sleepIslands(Bodies& bodies, ContactSet& contacts) {
     keepContacts(bodies, contacts.takeIdle(bodies, members_));
 }
 
+bool SleepSystem::putToSleep(Bodies& bodies, ContactSet& contacts, const JointSet& joints,
+                             std::uint32_t body) {
+    makeRoom(bodies);
+    reached_.clear();
+    bool sleeps = followIsland(body, 1, bodies, contacts, joints, 0);
+    sleepers_.clear();
+    for (const std::uint32_t member : reached_) {
+        reachedBy_[member] = 0;
+        sleeps = sleeps && (bodies.filter[member].flags & kNeverSleep) == 0;
+        sleepers_.emplace_back(body, member);
+    }
+    if (sleeps && !sleepers_.empty()) {
+        sleepIslands(bodies, contacts);
+    }
+    return sleeps;
+}
+
 void SleepSystem::keepArrivals(const Bodies& bodies, ContactSet& contacts) {
     keepContacts(bodies, contacts.takeArrivals(bodies));
 }

@@ -46,6 +46,10 @@ public:
                      const StepSettings& settings, const Tolerances& tolerances, Real dt);
     /// Puts these islands to sleep with their contacts.
     void sleepIslands(Bodies& bodies, ContactSet& contacts);
+    /// Puts the island of a body to sleep at once. False if something in it or at it keeps it
+    /// awake.
+    bool putToSleep(Bodies& bodies, ContactSet& contacts, const JointSet& joints,
+                    std::uint32_t body);
     /// Takes contacts of sleeping bodies with inactive ones that arrived before this step out of
     /// the list, to the islands.
     void keepArrivals(const Bodies& bodies, ContactSet& contacts);

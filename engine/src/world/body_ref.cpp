@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/checks.hpp"
 #include "bodies/body_checks.hpp"
+#include "bodies/integrate.hpp"
 #include "world/world_impl.hpp"
 
 #include <algorithm>
@@ -179,13 +180,19 @@ void BodyRef::applyTorque(Real torque) {
 }
 
 void BodyRef::applyImpulse(Vec2 impulse) {
-    world_->applyImpulse(changing("BodyRef::applyImpulse"), {}, impulse);
+    world_->applyImpulse(changing("BodyRef::applyImpulse"), impulse, 0);
 }
 
 void BodyRef::applyImpulse(Vec2 impulse, Vec2 point) {
     const std::uint32_t body = changing("BodyRef::applyImpulse");
     refuse(checkPosition("point", point, world_->tolerances_.unit()));
-    world_->applyImpulse(body, point - center(), impulse);
+    world_->applyImpulse(body, impulse, cross(point - center(), impulse));
+}
+
+void BodyRef::applyAngularImpulse(Real impulse) {
+    const std::uint32_t body = changing("BodyRef::applyAngularImpulse");
+    refuse(checkFinite("impulse", impulse));
+    world_->applyImpulse(body, {}, impulse);
 }
 
 void BodyRef::setType(BodyType type) {
@@ -243,6 +250,21 @@ void BodyRef::setMaterial(const Material& material) {
     world_->bodyChanged(body);
 }
 
+void BodyRef::setLinearDamping(Real perSecond) {
+    const std::uint32_t body = changing("BodyRef::setLinearDamping");
+    world_->setRules(body, {perSecond, angularDamping(), gravityScale()});
+}
+
+void BodyRef::setAngularDamping(Real perSecond) {
+    const std::uint32_t body = changing("BodyRef::setAngularDamping");
+    world_->setRules(body, {linearDamping(), perSecond, gravityScale()});
+}
+
+void BodyRef::setGravityScale(Real scale) {
+    const std::uint32_t body = changing("BodyRef::setGravityScale");
+    world_->setRules(body, {linearDamping(), angularDamping(), scale});
+}
+
 void BodyRef::setMass(const MassDef& mass) {
     const std::uint32_t body = changing("BodyRef::setMass");
     PartList list = world_->bodies_.geometry(body);
@@ -281,12 +303,14 @@ void BodyRef::copyFrom(const BodyView& other) {
     Bodies& bodies = world_->bodies_;
     const Real spin = other.angularVelocity();
     const std::uint16_t required = other.required();
+    const MotionRules rules{other.linearDamping(), other.angularDamping(), other.gravityScale()};
     setGeometry(bodies, body, makeGeometry(std::move(list)));
     bodies.pose[body] = pose;
     world_->bodyChanged(body);
     CollisionFilter& filter = bodies.filter[body]; // after bodyChanged, which may wake the body
     filter = {(filter.flags & kStatusFlags & ~kFrozen) | given, required};
     world_->flagBlocks_.note(body, given);
+    setRules(bodies, body, rules);
     bodies.motion[body].velocity = velocity;
     bodies.motion[body].angularVelocity = spin;
     if (type() == BodyType::Static) {
@@ -299,6 +323,12 @@ void BodyRef::copyFrom(const BodyView& other) {
 void BodyRef::wake() {
     const std::uint32_t body = changing("BodyRef::wake");
     world_->sleep_.wakeAround(world_->bodies_, world_->contacts_, world_->joints_, body);
+}
+
+bool BodyRef::sleep() {
+    const std::uint32_t body = changing("BodyRef::sleep");
+    return world_->settings_.has(Feature::Sleep) &&
+           world_->sleep_.putToSleep(world_->bodies_, world_->contacts_, world_->joints_, body);
 }
 
 } // namespace KODO_PRECISION

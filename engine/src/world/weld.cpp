@@ -129,6 +129,9 @@ BodyId WorldImpl::unweld(BodyId body, std::size_t part, std::optional<Flags> fla
         throw BadDefinition({"part", "is the only part of the body, which would be left empty"});
     }
     FormerBody made = formerBody(bodies_.geometry(body.index), part);
+    if (!made.known) { // it moves on as it did
+        made.rules = bodies_.record[body.index].rules;
+    }
     if (flags) {
         refuse(checkFlags("flags", *flags));
         if ((*flags & (kMatchAny | kMatchAll)) != 0) {

@@ -77,6 +77,17 @@ std::vector<BodyId> World::bodies() const {
     }
     return ids;
 }
+std::vector<BodyId> World::movedBodies() const {
+    const Bodies& all = impl().bodyData();
+    std::vector<BodyId> ids;
+    for (const std::uint32_t body : all.awake) { // also those that fell asleep in the step
+        if (all.ids.aliveAt(body) && (all.asleep(body) || !all.motion[body].unmoved())) {
+            ids.push_back(all.idAt(body));
+        }
+    }
+    return ids;
+}
+
 BodyRef World::operator[](BodyId id) {
     return impl()[id];
 }

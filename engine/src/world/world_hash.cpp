@@ -35,6 +35,12 @@ void writeMaterial(StateStream& stream, const Material& material) {
     }
 }
 
+void writeRules(StateStream& stream, const MotionRules& rules) {
+    if (rules != MotionRules{}) {
+        stream.write(rules);
+    }
+}
+
 /// Adds what decides the future beside the motion: settings, fields, geometry, materials, user
 /// data and the numbers of joints. Of a user's own fields only that they exist.
 void addDefinitions(StateHash& hash, const WorldImpl& world) {
@@ -54,6 +60,7 @@ void addDefinitions(StateHash& hash, const WorldImpl& world) {
             continue;
         }
         stream.write(bodies.record[i].userData);
+        writeRules(stream, bodies.record[i].rules);
         const PartList& list = bodies.geometry(i);
         for (const Part& part : list.parts) {
             stream.write(part.primitive);
@@ -66,10 +73,11 @@ void addDefinitions(StateHash& hash, const WorldImpl& world) {
         for (const SetMass& set : list.setMasses) { // nothing is added if none was set
             stream.write(set);
         }
-        for (const FormerBody& former : list.former) { // likewise
-            if (former.filter.flags != 0 || former.filter.required != 0 || former.userData != 0) {
-                stream.write(former);
+        for (const auto& [known, filter, userData, rules] : list.former) { // likewise
+            if (filter.flags != 0 || filter.required != 0 || userData != 0) {
+                stream.write(known, filter, userData);
             }
+            writeRules(stream, rules);
         }
     }
     world.jointData().forEach([&](const JointSet::Joint& joint) { stream.write(joint.def); });

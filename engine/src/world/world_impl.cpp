@@ -4,6 +4,7 @@
 #include "base/checks.hpp"
 #include "bodies/body_checks.hpp"
 #include "bodies/field_checks.hpp"
+#include "bodies/integrate.hpp"
 #include "world/world_step.hpp"
 
 #include <algorithm>
@@ -216,15 +217,22 @@ void WorldImpl::addForce(std::uint32_t body, Vec2 force, Real torque) {
     }
 }
 
-/// Impulse in N s at the end of an arm (m) from the centre of mass.
-void WorldImpl::applyImpulse(std::uint32_t body, Vec2 arm, Vec2 impulse) {
+/// An impulse (N s) at the centre of mass, and an angular one (N m s).
+void WorldImpl::applyImpulse(std::uint32_t body, Vec2 impulse, Real angular) {
     refuse(checkFinite("impulse", impulse));
     BodyVelocity after = bodies_.motion[body];
-    kodo::applyImpulse(after, arm, impulse);
+    kodo::applyImpulse(after, after.invMass, impulse, after.invInertia, angular);
     refuse(checkVelocity("velocity after the impulse", after.velocity, tolerances_.unit()));
     refuse(checkAngularVelocity("angularVelocity after the impulse", after.angularVelocity));
     bodies_.motion[body] = after;
     velocityChanged(body);
+}
+
+void WorldImpl::setRules(std::uint32_t body, const MotionRules& rules) {
+    refuse(check(rules));
+    kodo::setRules(bodies_, body, rules);
+    wake(body);
+    bodies_.noteLostLoad(body);
 }
 
 void WorldImpl::remove(BodyId id) {
@@ -251,6 +259,9 @@ BodyId WorldImpl::clone(BodyId id, Vec2 position) {
     def.flags = source.flags();
     def.required = source.required();
     def.userData = source.userData();
+    def.linearDamping = source.linearDamping();
+    def.angularDamping = source.angularDamping();
+    def.gravityScale = source.gravityScale();
     const BodyId copy = addBody(bodies_, def, bodies_.record[id.index].geometry);
     bodyAdded(copy.index);
     return copy;

@@ -98,7 +98,8 @@ private:
     void velocityChanged(std::uint32_t body);
     void thaw(std::uint32_t body);
     void addForce(std::uint32_t body, Vec2 force, Real torque);
-    void applyImpulse(std::uint32_t body, Vec2 arm, Vec2 impulse);
+    void applyImpulse(std::uint32_t body, Vec2 impulse, Real angular);
+    void setRules(std::uint32_t body, const MotionRules& rules);
     void placeInRegion(std::uint32_t body) { region_.place(body, bodies_, contacts_); }
     void bodyAdded(std::uint32_t body);
     void updateAwake();

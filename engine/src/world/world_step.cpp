@@ -127,6 +127,9 @@ void WorldStep::gatherForces() {
     if (updateAwake()) {
         contacts_.addArrivals(bodies_.changes.toggled); // kinematic bodies that stopped
     }
+    if (bodies_.changes.anyDamped) {
+        dampVelocities(bodies_, dt_, team_);
+    }
     frozen_.clear();
     if (!gatherAccelerations(bodies_, fields_, dt_, team_)) {
         freezeUnsoundForces();
