@@ -29,6 +29,10 @@ expect 0 '^  sleep ' "$program" --help
 expect 0 'of 1 worlds, 0 findings' "$program" --count 1 --seed 1
 expect 0 '^world 2' "$program" --seed 18446744073709551615 --print
 expect 0 '^world 2' "$program" --seed 18446744073709551615 --print --ordinary
+"$program" --ordinary --seed 14 --print >seesaw
+expect 0 'seesaw: no finding' "$program" --ordinary --replay seesaw
+expect 0 'seesaw: no finding' "$program" --invariances --replay seesaw
+expect 0 'of 1 worlds, 0 findings' "$program" --invariances --count 1 --seed 1
 expect 0 '^see-saws +1 .* 0\.0%' "$program" --ordinary --count 1 --seed 14
 expect 2 'folder is a folder' "$program" --replay folder
 expect 2 'nowhere cannot be read' "$program" --replay nowhere
@@ -67,8 +71,7 @@ for other in '--seed 1' '--count 1' '--shrink' '--jobs 1' '--print'; do
     refuse "^worlds: --[a-z]+ excludes --[a-z]+" "$program" --replay text $other
 done
 refuse '^worlds: --[a-z]+ excludes --[a-z]+' "$program" --print --count 2
-refuse '^worlds: --[a-z]+ excludes --[a-z]+' "$program" --ordinary --shrink
-refuse '^worlds: --[a-z]+ excludes --[a-z]+' "$program" --ordinary --replay text
+refuse '^worlds: --[a-z]+ excludes --[a-z]+' "$program" --ordinary --invariances
 refuse '^worlds: --into requires --shrink' "$program" --into folder
 
 expect 0 'tests/worlds/known' "$tool" --help
@@ -85,10 +88,10 @@ for wrong in "--seed $over" '--seed -1' '--seed 99999999999999999999999'; do
 done
 refuse '^tools/worlds: --precision must be' "$tool" --precision half
 refuse '^tools/worlds: .*the last seed' "$tool" --count 2 --seed "$last"
-refuse '^tools/worlds: --ordinary excludes --shrink' "$tool" --ordinary --shrink
+refuse '^tools/worlds: --invariances excludes --ordinary' "$tool" --ordinary --invariances
 refuse '^tools/worlds: --box2d3 requires --ordinary' "$tool" --box2d3 folder
 refuse '^tools/worlds: --box2d3: no Box2D 3 is installed' "$tool" --ordinary --box2d3 folder
-for other in '--seed 1' '--count 5' '--shrink' '--ordinary'; do
+for other in '--seed 1' '--count 5' '--shrink'; do
     # shellcheck disable=SC2086
     refuse "^tools/worlds: --replay judges one saved world, without ${other%% *}" \
         "$tool" --replay half $other

@@ -6,7 +6,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 /// Ordinary scenes: what users build, with joints, usual rates and mass ratios up to 100. The same
@@ -64,11 +66,16 @@ OrdinaryRun runOrdinary(const Recipe& recipe, OrdinaryEngine& engine);
 /// The judges, in the order of the table.
 std::span<const char* const> ordinaryJudges();
 
+/// The first fault of a judge in Kodo. Nothing for a recipe that is refused,
+/// or whose bodies overlap at the start.
+std::optional<Finding> judgeOrdinary(const Recipe& recipe, const std::string& judge);
+
 /// Runs scenes and prints one line for each fault, and the table.
 struct OrdinaryOptions {
     std::uint64_t seed = 1;
     std::uint64_t count = 1000;
     unsigned jobs = 1;
+    std::string shrunkInto{}; // folder of the faulty scenes in Kodo, as small as possible; or none
 };
 /// True if no fault was found in Kodo.
 bool reportOrdinary(const OrdinaryOptions& options);

@@ -23,6 +23,7 @@ using Turn = BasicRot<double>;
 constexpr const char* kJudges[] = {"energy", "gap", "limit", "ground", "rest", "jitter", "numbers"};
 
 constexpr double kEnergyShare = 0.02; // of the scale
+constexpr double kRestSpeed = 0.1;    // m/s, of all bodies: the least scale
 constexpr double kGapShare = 0.05;    // of the diameter of the smaller body
 constexpr double kAngleRoom = 0.1;    // rad, beyond a limit
 constexpr double kLasting = 0.25;     // s, for which a gap must be open
@@ -68,7 +69,7 @@ public:
         look(engine);
         last_ = now_;
         budget_ = energy() + energyOfSprings();
-        scale_ = std::max(kinetic(), weight());
+        scale_ = std::max({kinetic(), weight(), massOfAll() * kRestSpeed * kRestSpeed});
     }
 
     void afterStep(int step, const OrdinaryEngine& engine) {
@@ -159,14 +160,15 @@ private:
         }
         return sum;
     }
-    /// J, of a fall of all bodies by 1 m.
-    double weight() const {
+    double massOfAll() const {
         double sum = 0;
         for (const Body& body : bodies_) {
-            sum += body.mass * length(toDouble(recipe_.world.gravity));
+            sum += body.mass;
         }
         return sum;
     }
+    /// J, of a fall of all bodies by 1 m.
+    double weight() const { return massOfAll() * length(toDouble(recipe_.world.gravity)); }
 
     static Ends endsOf(const JointDef& def) {
         return std::visit(
@@ -427,6 +429,21 @@ OrdinaryRun runOrdinary(const Recipe& recipe, OrdinaryEngine& engine) {
     }
     run.faults = judge.finish();
     return run;
+}
+
+std::optional<Finding> judgeOrdinary(const Recipe& recipe, const std::string& judge) {
+    try {
+        if (!startsSound(build(recipe).world, Pairs::Colliding)) {
+            return std::nullopt;
+        }
+        for (const Finding& fault : runOrdinary(recipe, *ordinaryInKodo(recipe)).faults) {
+            if (fault.judge == judge) {
+                return fault;
+            }
+        }
+    } catch (const BadDefinition&) {
+    }
+    return std::nullopt;
 }
 
 } // namespace worlds

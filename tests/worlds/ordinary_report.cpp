@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdio>
+#include <fstream>
 #include <mutex>
 #include <thread>
 
@@ -10,6 +11,7 @@ namespace worlds {
 namespace {
 
 constexpr std::size_t kEngines = 2;
+constexpr int kShrinkTries = 1000;
 constexpr const char* kEngineNames[kEngines] = {sizeof(kodo::Real) == 4 ? "float" : "double",
                                                 "box2d3"};
 
@@ -60,7 +62,11 @@ private:
             const Recipe recipe = ordinaryRecipe(seed);
             for (std::size_t e = 0; e < engines_; ++e) {
                 const auto engine = e == 0 ? ordinaryInKodo(recipe) : ordinaryInBox2d3(recipe);
-                note(seed, recipe, e, runOrdinary(recipe, *engine));
+                const OrdinaryRun run = runOrdinary(recipe, *engine);
+                note(seed, recipe, e, run);
+                if (e == 0 && !options_.shrunkInto.empty()) {
+                    save(seed, recipe, run);
+                }
             }
         }
     }
@@ -82,6 +88,17 @@ private:
                         fault.text.c_str());
         }
         std::fflush(stdout);
+    }
+
+    void save(std::uint64_t seed, const Recipe& recipe, const OrdinaryRun& run) const {
+        for (const Finding& fault : run.faults) {
+            const Judge judge = [&](const Recipe& smaller) {
+                return judgeOrdinary(smaller, fault.judge);
+            };
+            std::ofstream(options_.shrunkInto + "/ordinary_" + fault.judge + "_" + kEngineNames[0] +
+                          "_" + std::to_string(seed) + ".world")
+                << toText(shrink(recipe, fault, judge, kShrinkTries));
+        }
     }
 
     void printRow(const char* name, const Row& row) const {

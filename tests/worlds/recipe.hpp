@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -74,7 +75,9 @@ struct Finding {
 /// Runs a recipe. The first finding ends the run.
 std::optional<Finding> judge(const Recipe& recipe);
 
+/// Judges a recipe: judge(), one of its judges alone, or others.
+using Judge = std::function<std::optional<Finding>(const Recipe&)>;
 /// The smallest recipe found for which the same judge still objects, after at most `tries` runs.
-Recipe shrink(const Recipe& recipe, const Finding& finding, int tries = 2000);
+Recipe shrink(const Recipe& recipe, const Finding& finding, const Judge& judge, int tries = 2000);
 
 } // namespace worlds

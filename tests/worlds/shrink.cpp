@@ -118,7 +118,9 @@ const std::vector<RecipeChange>& recipeChanges() {
         [](Recipe& recipe) { recipe.drag = 0; },
         [](Recipe& recipe) { recipe.world.gravity = {}; },
         [](Recipe& recipe) {
-            recipe.world.gravity = {0, -10};
+            if (recipe.world.gravity != Vec2{}) {
+                recipe.world.gravity = {0, -10};
+            }
         },
         [](Recipe& recipe) { recipe.world.settings = {}; },
         [](Recipe& recipe) { recipe.world.settings.leaveOut = {}; },
@@ -130,8 +132,8 @@ const std::vector<RecipeChange>& recipeChanges() {
 
 class Shrinker {
 public:
-    Shrinker(const Recipe& recipe, std::string judge, int tries)
-        : best_(recipe), judge_(std::move(judge)), tries_(tries) {}
+    Shrinker(const Recipe& recipe, std::string name, const Judge& judge, int tries)
+        : best_(recipe), name_(std::move(name)), judge_(judge), tries_(tries) {}
 
     Recipe shrink() {
         while (changeOnce() && tries_ > 0) {
@@ -179,11 +181,11 @@ private:
         }
         --tries_;
         const bool fixed = std::any_of(recipe.bodies.begin(), recipe.bodies.end(), movesLocked);
-        const std::optional<Finding> finding = fixed ? std::nullopt : judge(recipe);
-        if (!finding || finding->judge != judge_) {
+        const std::optional<Finding> finding = fixed ? std::nullopt : judge_(recipe);
+        if (!finding || finding->judge != name_) {
             return false;
         }
-        if (judge_ != "sleep") {
+        if (name_ != "sleep" && name_ != "rest") {
             recipe.steps = std::min(recipe.steps, finding->step + 1);
         }
         best_ = std::move(recipe);
@@ -191,14 +193,15 @@ private:
     }
 
     Recipe best_;
-    std::string judge_;
+    std::string name_;
+    const Judge& judge_;
     int tries_;
 };
 
 } // namespace
 
-Recipe shrink(const Recipe& recipe, const Finding& finding, int tries) {
-    return Shrinker(recipe, finding.judge, tries).shrink();
+Recipe shrink(const Recipe& recipe, const Finding& finding, const Judge& judge, int tries) {
+    return Shrinker(recipe, finding.judge, judge, tries).shrink();
 }
 
 } // namespace worlds

@@ -2,6 +2,7 @@
 // Judges random worlds from the command line; see tools/worlds.
 #include <CLI/CLI.hpp>
 #include <base/assert.hpp>
+#include <worlds/invariance.hpp>
 #include <worlds/ordinary.hpp>
 #include <worlds/recipe.hpp>
 
@@ -31,6 +32,7 @@ struct Options {
     std::string replay = {}; // file
     bool print = false;
     bool ordinary = false;
+    bool invariances = false;
 };
 
 void throwFailure(const char* condition, const char* file, int line) {
@@ -86,9 +88,11 @@ void addOptions(CLI::App& app, Options& options) {
         app.add_option("--replay", options.replay, "Judge this saved world instead");
     CLI::Option* const print =
         app.add_flag("--print", options.print, "Print the world of the seed instead");
-    app.add_flag("--ordinary", options.ordinary, "Judge ordinary scenes instead, for 30 s each")
-        ->excludes(shrink)
-        ->excludes(replay);
+    CLI::Option* const ordinary = app.add_flag("--ordinary", options.ordinary,
+                                               "Judge ordinary scenes instead, for 30 s each");
+    CLI::Option* const invariances = app.add_flag(
+        "--invariances", options.invariances, "Judge what must not change the outcome of a world");
+    ordinary->excludes(invariances);
     for (CLI::Option* const unused : {count, jobs, shrink, into}) {
         replay->excludes(unused);
         print->excludes(unused);
@@ -104,6 +108,23 @@ void readOptions(CLI::App& app, Options& options, int argc, char** argv) {
         options.seed > std::numeric_limits<std::uint64_t>::max() - (options.count - 1)) {
         throw CLI::ValidationError("--seed + --count - 1, the last seed, must be below 2^64");
     }
+}
+
+worlds::Recipe recipeOf(const Options& options, std::uint64_t seed) {
+    return options.ordinary      ? worlds::ordinaryRecipe(seed)
+           : options.invariances ? worlds::invarianceRecipe(seed)
+                                 : worlds::randomRecipe(seed);
+}
+
+std::vector<worlds::Finding> findingsOf(const Options& options, const worlds::Recipe& recipe) {
+    if (options.invariances) {
+        return worlds::judgeInvariances(recipe);
+    }
+    if (options.ordinary) {
+        return worlds::runOrdinary(recipe, *worlds::ordinaryInKodo(recipe)).faults;
+    }
+    const std::optional<worlds::Finding> finding = worlds::judge(recipe);
+    return finding ? std::vector{*finding} : std::vector<worlds::Finding>{};
 }
 
 /// Judges seeds on several threads, each at its own pace.
@@ -138,10 +159,10 @@ private:
             if (index >= options_.count) {
                 return;
             }
-            const worlds::Recipe recipe = worlds::randomRecipe(options_.seed + index);
-            const std::optional<worlds::Finding> finding = worlds::judge(recipe);
-            if (finding) {
-                report(options_.seed + index, recipe, *finding);
+            const std::uint64_t seed = options_.seed + index;
+            const worlds::Recipe recipe = recipeOf(options_, seed);
+            for (const worlds::Finding& finding : findingsOf(options_, recipe)) {
+                report(seed, recipe, finding);
             }
             const std::uint64_t done = ++done_;
             if (done % (options_.count / 20 + 1) == 0) {
@@ -157,7 +178,11 @@ private:
     void report(std::uint64_t seed, const worlds::Recipe& recipe, const worlds::Finding& finding) {
         std::string file;
         if (options_.shrink) {
-            const worlds::Recipe small = worlds::shrink(recipe, finding);
+            const worlds::Judge again = [&](const worlds::Recipe& smaller) {
+                return options_.invariances ? judgeInvariance(smaller, finding.judge)
+                                            : worlds::judge(smaller);
+            };
+            const worlds::Recipe small = worlds::shrink(recipe, finding, again);
             file = options_.into + "/" + finding.judge + "_" + kPrecision + "_" +
                    std::to_string(seed) + ".world";
             std::ofstream(file) << worlds::toText(small);
@@ -196,13 +221,16 @@ int replay(const Options& options) {
         std::fprintf(stderr, "worlds: %s is no saved world.\n", options.replay.c_str());
         return 2;
     }
-    const std::optional<worlds::Finding> finding = worlds::judge(*recipe);
-    std::printf("%s: %s: %s", kPrecision, options.replay.c_str(), finding ? "" : "no finding\n");
-    if (finding) {
-        std::printf("%s, step %d: %s\n", finding->judge.c_str(), finding->step,
-                    finding->text.c_str());
+    const std::vector<worlds::Finding> findings = findingsOf(options, *recipe);
+    const char* const path = options.replay.c_str();
+    for (const worlds::Finding& finding : findings) {
+        std::printf("%s: %s: %s, step %d: %s\n", kPrecision, path, finding.judge.c_str(),
+                    finding.step, finding.text.c_str());
     }
-    return finding ? 1 : 0;
+    if (findings.empty()) {
+        std::printf("%s: %s: no finding\n", kPrecision, path);
+    }
+    return findings.empty() ? 0 : 1;
 }
 
 } // namespace
@@ -226,13 +254,12 @@ int main(int argc, char** argv) {
         return replay(options);
     }
     if (options.print) {
-        const worlds::Recipe recipe = options.ordinary ? worlds::ordinaryRecipe(options.seed)
-                                                       : worlds::randomRecipe(options.seed);
-        std::fputs(worlds::toText(recipe).c_str(), stdout);
+        std::fputs(worlds::toText(recipeOf(options, options.seed)).c_str(), stdout);
         return 0;
     }
     if (options.ordinary) {
-        return worlds::reportOrdinary({options.seed, options.count, options.jobs}) ? 0 : 1;
+        const std::string into = options.shrink ? options.into : std::string();
+        return worlds::reportOrdinary({options.seed, options.count, options.jobs, into}) ? 0 : 1;
     }
     return Judging(options).run() ? 0 : 1;
 }
