@@ -267,6 +267,16 @@ testing::AssertionResult sameRecords(const World& a, const World& b) {
     return testing::AssertionSuccess();
 }
 
+/// Removes bodies that large impulses have thrown out of the range of positions (100 km).
+void removeFarBodies(World& world, World& copy) {
+    for (const BodyId id : world.bodies()) {
+        if (!(length(world[id].position()) < Real(5e4))) {
+            world.remove(id);
+            copy.remove(id);
+        }
+    }
+}
+
 class RandomChanges : public testing::TestWithParam<std::uint64_t> {};
 
 // Under random changes between steps, a copy continues with the same bits, and no number becomes
@@ -286,6 +296,7 @@ TEST_P(RandomChanges, ACopyContinuesWithTheSameBits) {
         if (step % 100 == 50) {
             copy = world;
         }
+        removeFarBodies(world, copy);
         for (std::size_t many = random.below(4); many > 0; --many) {
             const Changes::Change change = changes.next(world);
             change(world);

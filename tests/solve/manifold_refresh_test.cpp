@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // F1 to F4: what happens within a step after the first blow of it.
+#include <kodo/step_stats.hpp>
 #include <kodo/world.hpp>
 #include <support/draws.hpp>
 #include <support/random_numbers.hpp>
@@ -93,6 +94,63 @@ TEST(ManifoldRefresh, RodsDoNotPassAWallThatTheirTipsTouch) {
                     }
                 }
             }
+        }
+    }
+}
+
+// The same for rods and planks of any thickness that come straight or while they turn.
+TEST(ManifoldRefresh, RodsOfAnyThicknessDoNotPassAWall) {
+    RandomNumbers random(11);
+    for (const Real rate : kRates) {
+        for (const Real length : {Real(1), Real(2), Real(4), Real(5), Real(10), Real(40)}) {
+            for (int i = 0; i < draws(80); ++i) {
+                World world;
+                const Material material = withFriction(random.between(0, 1), 0);
+                world.add({.shape = Box{1, 200}, .material = material, .type = BodyType::Static});
+                const Real speed = random.between(10, 100);
+                const BodyId rod = world.add({.shape = Box{length, 1},
+                                              .position = {-25, 0},
+                                              .rotation = Rot::fromAngle(random.between(-3, 3)),
+                                              .velocity = {5 * speed, 0},
+                                              .angularVelocity = random.between(-10, 10),
+                                              .material = material});
+                for (int step = 0; step < static_cast<int>(rate / 4); ++step) {
+                    world.step(1 / rate);
+                    ASSERT_LT(world[rod].position().x, Real(-0.5)) // the middle is outside
+                        << rate << " Hz, " << 5 * speed << " m/s, " << length << " m, " << i;
+                }
+            }
+        }
+    }
+}
+
+// A blow divides substeps where the passes cannot transmit it alone: not among ordinary bodies.
+TEST(ManifoldRefresh, OnlyBlowsOnFarLighterBodiesTakeMoreSubsteps) {
+    const auto mostVisits = [](Real ratio, Real rate, bool boxes) {
+        World world({.gravity = support::kEarth});
+        support::addFloor(world);
+        BodyDef below{.shape = Circle{Real(0.5)}, .position = {0, Real(0.5)}};
+        BodyDef above{.shape = Circle{Real(0.5)}, .position = {0, 4}, .velocity = {0, -20}};
+        if (boxes) {
+            below.shape = above.shape = Box{1, 1};
+        }
+        below.density = 1 / ratio;
+        world.add(below);
+        world.add(above);
+        std::size_t most = 0;
+        for (int step = 0; step < static_cast<int>(rate / 2); ++step) {
+            world.step(1 / rate);
+            most = std::max(most, stepStats(world).contacts);
+        }
+        return most;
+    };
+    const auto substeps = static_cast<std::size_t>(balanced().soft().substeps);
+    for (const Real rate : kRates) {
+        for (const bool boxes : {false, true}) {
+            for (const Real ratio : {Real(1), Real(4), Real(16)}) {
+                EXPECT_EQ(mostVisits(ratio, rate, boxes), 2 * 2 * substeps) << rate << ratio;
+            }
+            EXPECT_GT(mostVisits(1000, rate, boxes), 2 * 2 * substeps) << rate;
         }
     }
 }

@@ -8,6 +8,7 @@
 
 #include <world/snapshot_scenes.hpp>
 
+#include <algorithm>
 #include <cinttypes>
 #include <cmath>
 #include <cstdio>
@@ -175,8 +176,10 @@ TEST(Snapshot, ContinuesWithTheSameBitsWhileAWallPushesSleepingBodies) {
 TEST(Snapshot, TheBusyWorldCoversEveryFeature) {
     World world = busyWorld();
     std::size_t broken = 0;
+    std::size_t records = 0;
     for (int i = 0; i < 150; ++i) {
         world.step(kDt);
+        records = std::max(records, world.collisions().size());
         broken += world.brokenJoints().size();
     }
     Flags met = 0;
@@ -187,7 +190,7 @@ TEST(Snapshot, TheBusyWorldCoversEveryFeature) {
     }
     EXPECT_EQ(met & (kAsleep | kColliding | kOutside), kAsleep | kColliding | kOutside);
     EXPECT_GE(asleep, 3u);
-    EXPECT_GT(world.collisions().size(), 20u);
+    EXPECT_GT(records, 20u);
     EXPECT_EQ(world.joints().size() + broken, 7u);
     EXPECT_EQ(broken, 1u);
 }

@@ -191,6 +191,14 @@ void ContactBlocks::arrange(const Bodies& bodies, const ContactList& contacts,
                             std::span<const std::uint32_t> newcomers,
                             std::span<const std::uint16_t> crowd, Real pushSpeed) {
     freeLanes(bodies);
+    setPushSpeeds(crowd, pushSpeed);
+    rearrange(bodies, contacts, newcomers, crowd);
+    lanesStale_ = false;
+}
+
+void ContactBlocks::rearrange(const Bodies& bodies, const ContactList& contacts,
+                              std::span<const std::uint32_t> newcomers,
+                              std::span<const std::uint16_t> crowd) {
     for (const std::uint32_t slot : newcomers) {
         const ContactEntry entry = contacts[slot];
         auto& [contact, summary, place] = entry;
@@ -203,6 +211,7 @@ void ContactBlocks::arrange(const Bodies& bodies, const ContactList& contacts,
             assignLane(entry, binOf(entry));
         }
         fill(bodies, entry);
+        setPushSpeed(blocks_[blockOf(summary.row.index)], laneOf(summary.row.index), crowd);
         summary.kept =
             summary.row.colour != ContactRow::kNoColour && lane(slot, summary).impacts() == 0;
     }
@@ -213,8 +222,6 @@ void ContactBlocks::arrange(const Bodies& bodies, const ContactList& contacts,
     if (std::exchange(orderStale_, false)) {
         passOrder_.build(states_);
     }
-    setPushSpeeds(crowd, pushSpeed);
-    lanesStale_ = false;
 }
 
 void ContactBlocks::setPushSpeeds(std::span<const std::uint16_t> crowd, Real pushSpeed) {
@@ -225,15 +232,21 @@ void ContactBlocks::setPushSpeeds(std::span<const std::uint16_t> crowd, Real pus
     for (const std::uint32_t i : passOrder_.blocks()) {
         ContactBlock& block = blocks_[i];
         for (std::uint32_t used = states_[i].used; used != 0; used &= used - 1) {
-            const auto lane = static_cast<std::size_t>(std::countr_zero(used));
-            const int most = pushLimit_.shared ? std::max(crowd[bodyOfPlace(block.a[lane])],
-                                                          crowd[bodyOfPlace(block.b[lane])])
-                                               : 0;
-            const int crowded = std::min(most, kMostOverlaps);
-            block.pushSpeed[lane] =
-                pushSpeed / static_cast<Real>(std::max(1, crowded + 1 - kNeighbours));
+            setPushSpeed(block, static_cast<std::size_t>(std::countr_zero(used)), crowd);
         }
     }
+}
+
+/// The overlaps of the more crowded body of a lane share the push speed.
+void ContactBlocks::setPushSpeed(ContactBlock& block, std::size_t lane,
+                                 std::span<const std::uint16_t> crowd) const {
+    const int most = pushLimit_.shared ? std::max(crowd[bodyOfPlace(block.a[lane])],
+                                                  crowd[bodyOfPlace(block.b[lane])])
+                                       : 0;
+    const int crowded = std::min(most, kMostOverlaps);
+    block.pushSpeed[lane] = crowded > kNeighbours
+                                ? pushLimit_.speed / static_cast<Real>(crowded + 1 - kNeighbours)
+                                : pushLimit_.speed;
 }
 
 void ContactBlocks::fill(const Bodies& bodies, const ContactEntry& entry) {

@@ -76,15 +76,19 @@ public:
     void discardLanes() { lanesStale_ = true; }
     /// True if kept contacts need only keep(): their lanes are valid in this step.
     bool keepsLanes() const { return !lanesStale_; }
-    /// Within the passes: takes a contact out of them until arrange() assigns a lane again.
+    /// Within the passes: takes a contact out of them until rearrange() assigns a lane again.
     void drop(const ContactEntry& entry) {
-        if (entry.summary.inPasses()) {
-            taken_[entry.summary.row.index] = 0;
+        if (const std::uint32_t row = entry.summary.row.index; entry.summary.inPasses()) {
+            taken_[row] = 0;
             leave(entry);
+            release(row);
             lanesState_ += 2;
         }
         entry.summary.row = {};
     }
+    /// The same as arrange() for contacts that were dropped.
+    void rearrange(const Bodies& bodies, const ContactList& contacts,
+                   std::span<const std::uint32_t> newcomers, std::span<const std::uint16_t> crowd);
     /// After the last take(): assigns lanes to the newcomers, given by contact index in order.
     /// `crowd` is the number of deep overlaps by body, or empty if no body exceeds kNeighbours. The
     /// contacts of a body that exceeds it share `pushSpeed` (m/s).
@@ -162,6 +166,8 @@ private:
     void release(std::uint32_t row);
     void empty(std::uint32_t row);
     void setPushSpeeds(std::span<const std::uint16_t> crowd, Real pushSpeed);
+    void setPushSpeed(ContactBlock& block, std::size_t lane,
+                      std::span<const std::uint16_t> crowd) const;
     void fill(const Bodies& bodies, const ContactEntry& entry);
 
     struct Features {

@@ -31,6 +31,14 @@ Real wayOf(const Bodies& bodies, const ContactSummary& summary, Real h) {
                 std::abs(b.angularVelocity) * bodies.extent[summary.bodyB].rotationReach);
 }
 
+/// True if the manifold of a contact may get a further point. That with a disc has one.
+bool mayGainPoint(const Bodies& bodies, const Contact& contact) {
+    const auto& [bodyA, partA, bodyB, partB] = contact.key;
+    return contact.manifold.count == 0 ||
+           (contact.manifold.count == 1 && !bodies.convex(bodyA, partA).isRound() &&
+            !bodies.convex(bodyB, partB).isRound());
+}
+
 /// A body at its present pose, until the end of the scope.
 class Moved {
 public:
@@ -59,58 +67,68 @@ void keepSums(const ContactLane& lane, const ContactNumbers& before) {
 
 } // namespace
 
-void ManifoldRefresh::findTurned(const Step& step, std::span<const std::uint32_t> bodies,
-                                 bool first) {
-    if (first) {
-        for (const std::uint32_t body : bodies) {
-            turned_[body] = 0;
-        }
-    }
-    if (std::exchange(anySpins_, std::uint8_t{0}) == 0) {
-        return;
-    }
-    const ContactStore& store = step.contactSet.store();
+/// Lists the bodies of the group that a rotation moves: not discs about their centres.
+void ManifoldRefresh::listTurning(const Step& step, std::span<const std::uint32_t> bodies) {
+    turning_.clear();
     for (const std::uint32_t body : bodies) {
-        const BodyVelocity& motion = step.bodies.motion[body];
-        if (!(std::abs(motion.angularVelocity) > spin_)) {
-            continue;
-        }
-        const Extent& extent = step.bodies.extent[body];
-        const Real turn =
-            first ? step.h * motion.angularVelocity : motion.deltaAngle - turned_[body];
-        if (std::abs(turn) * extent.rotationReach >
-            allowedWay(extent.coreRadius, step.tolerances.slop)) {
-            turned_[body] = motion.deltaAngle;
-            store.lists().forEach(body, [&](std::uint32_t slot) {
-                const Contact& contact = store.contacts()[slot];
-                if (contact.near && !contact.sensor && !contact.hidden) {
-                    slots_.push_back(slot);
-                }
-            });
+        const auto& [reach, core] = step.bodies.extent[body];
+        if (reach > 0) {
+            turning_.push_back({body, allowedWay(core, step.tolerances.slop) / reach, 0, 0});
         }
     }
 }
 
-/// Lists the contacts that approach by too much in a substep.
-void ManifoldRefresh::findFast(const Step& step) {
-    ContactSet& contactSet = step.contactSet;
-    const Real slop = step.tolerances.slop;
-    if (!(contactSet.fastestApproach() * step.h > kLeastWay * slop)) {
+/// Lists the contacts of bodies that have turned too far. A further point comes along the tangent,
+/// by reach times angle. Where a manifold has all its points, the arcs of these alone leave it, by
+/// half of reach times angle squared.
+void ManifoldRefresh::findTurned(const Step& step, std::span<const std::uint32_t> bodies,
+                                 bool first) {
+    if (std::exchange(anySpins_, std::uint8_t{0}) == 0) {
         return;
     }
-    for (const std::uint32_t slot : contactSet.live()) {
+    if (!std::exchange(listed_, true)) {
+        listTurning(step, bodies);
+    }
+    const ContactStore& store = step.contactSet.store();
+    for (Turning& turning : turning_) {
+        const BodyVelocity& motion = step.bodies.motion[turning.body];
+        const Real turn =
+            first ? step.h * motion.angularVelocity : motion.deltaAngle - turning.atGaining;
+        if (!(std::abs(turn) > turning.allowed && std::abs(motion.angularVelocity) > spin_)) {
+            continue;
+        }
+        const Real whole = motion.deltaAngle - turning.atAll;
+        const bool all = whole * whole > 2 * turning.allowed;
+        turning.atGaining = motion.deltaAngle;
+        turning.atAll = all ? motion.deltaAngle : turning.atAll;
+        store.lists().forEach(turning.body, [&](std::uint32_t slot) {
+            const Contact& contact = store.contacts()[slot];
+            if (contact.near && !contact.sensor && !contact.hidden &&
+                (all || mayGainPoint(step.bodies, contact))) {
+                slots_.push_back(slot);
+            }
+        });
+    }
+}
+
+/// Lists the contacts that approach by too much in a substep, if they may gain a point.
+void ManifoldRefresh::findFast(const Step& step) {
+    ContactSet& contactSet = step.contactSet;
+    for (const std::uint32_t slot : step.arriving) {
         const ContactSummary& summary = contactSet.summaries()[slot];
+        const Contact& contact = contactSet.contacts()[slot];
         const Real core = std::min(step.bodies.extent[summary.bodyA].coreRadius,
                                    step.bodies.extent[summary.bodyB].coreRadius);
-        if (summary.mayTouch && !summary.sensor && !contactSet.contacts()[slot].hidden &&
-            contactSet.store().approachSpeed(slot) * step.h > allowedWay(core, slop)) {
+        if (contactSet.store().approachSpeed(slot) * step.h >
+                allowedWay(core, step.tolerances.slop) &&
+            !contact.hidden && mayGainPoint(step.bodies, contact)) {
             slots_.push_back(slot);
         }
     }
 }
 
 void ManifoldRefresh::find(const Step& step, std::uint32_t slot) {
-    auto& [bodies, contactSet, tolerances, dt, h] = step;
+    auto& [bodies, contactSet, tolerances, dt, h, arriving] = step;
     const ContactEntry entry = contactSet.store().entry(slot);
     Contact& contact = entry.contact;
     const ContactLane lane = contactSet.store().lane(slot);

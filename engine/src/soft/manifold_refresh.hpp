@@ -15,24 +15,27 @@ inline namespace KODO_PRECISION {
 /// Finds manifolds again within the step. A blow may turn a body so far that its next corner comes
 /// down before the step ends; contact points that were found when the step began do not hold it.
 ///
-/// Before a substep, the contacts of a body are found again at the present poses once it has turned
-/// by an eighth of its core radius at its farthest point since its last look. So are contacts that
-/// approach so fast that one substep closes as much. The margin of such a manifold covers the way
-/// of the substep, since the blow turns what comes next. Impulses stay with their features.
+/// A picture is wrong by a way of an eighth of the core radius of the body that turned. Before a
+/// substep, the contacts of a body are found again at the present poses once its farthest point has
+/// moved so far since its last look: along its arc where a further point may come, from its tangent
+/// where the manifold has all its points. So are contacts that may gain a point and approach by as
+/// much in one substep. The margin of such a manifold covers the way of the substep, since the blow
+/// turns what comes next. Impulses stay with their features.
 ///
-/// A contact depends on its own two bodies alone. A step without fast bodies costs a comparison per
-/// body and substep.
+/// A contact depends on its own two bodies alone. A disc has one point at any rotation, so two
+/// discs need no look. A step without fast bodies costs a comparison per body and substep.
 class ManifoldRefresh {
 public:
     struct Step {
         Bodies& bodies;
         ContactSet& contactSet;
         const Tolerances& tolerances;
-        Real dt; // s, of the step
-        Real h;  // s, of the substep
+        Real dt;                                 // s, of the step
+        Real h;                                  // s, of the substep
+        std::span<const std::uint32_t> arriving; // Refinement::arriving()
     };
-    /// Sizes the arrays by body.
-    void makeRoom(const Bodies& bodies) { resizeByBody(turned_, bodies); }
+    /// Reserves room for all bodies.
+    void makeRoom(const Bodies& bodies) { turning_.reserve(bodies.record.capacity()); }
     /// Before the first substep of a step of dt (s).
     void begin(Real dt) { spin_ = kLeastTurn / dt; }
     /// For each body with its angular velocity (rad/s), in each substep. On any thread.
@@ -47,10 +50,11 @@ public:
     std::span<const std::uint32_t> list(const Step& step, std::span<const std::uint32_t> bodies,
                                         bool first, IsSolved isSolved) {
         slots_.clear();
-        findTurned(step, bodies, first);
         if (first) {
+            listed_ = false;
             findFast(step);
         }
+        findTurned(step, bodies, first);
         std::erase_if(slots_, [&](std::uint32_t slot) {
             const ContactSummary& summary = step.contactSet.summaries()[slot];
             const Real thicker = std::max(step.bodies.extent[summary.bodyA].coreRadius,
@@ -69,10 +73,19 @@ public:
 
 private:
     static constexpr Real kLeastTurn = Real(1) / 64; // rad, in a step
+    /// A body of the group that a rotation moves.
+    struct Turning {
+        std::uint32_t body;
+        Real allowed;   // rad, rotation that needs no look
+        Real atGaining; // rad, deltaAngle at the last look at contacts that may gain a point
+        Real atAll;     // rad, the same for all contacts
+    };
+    void listTurning(const Step& step, std::span<const std::uint32_t> bodies);
     void findTurned(const Step& step, std::span<const std::uint32_t> bodies, bool first);
     void findFast(const Step& step);
 
-    std::vector<Real> turned_; // by body: rad, deltaAngle at the last look
+    std::vector<Turning> turning_;
+    bool listed_ = false; // turning_ has the bodies of this group
     std::vector<std::uint32_t> slots_;
     Real spin_ = 0; // rad/s, below which a body cannot turn far enough
     std::uint8_t anySpins_ = 0;

@@ -26,7 +26,8 @@ inline namespace KODO_PRECISION {
 ///
 /// and by a quarter of that against a body of infinite mass. Many contacts share the load. Stiffer
 /// contacts need shorter substeps. Joints of the island become stiffer with them. A limit of a
-/// rope, rod or prismatic joint that a heavy body reaches counts like a contact.
+/// rope, rod or prismatic joint that a heavy body reaches counts like a contact. A blow counts from
+/// a ratio of masses of 16 on; up to that the passes of a step transmit it.
 class Refinement {
 public:
     static constexpr std::uint32_t kLevels = BlockBins::kLevels;
@@ -49,6 +50,8 @@ public:
     std::span<const std::uint8_t> levels() const {
         return refined_.empty() ? std::span<const std::uint8_t>() : levels_;
     }
+    /// Contacts that approach by a slop in a whole substep, and slower ones.
+    std::span<const std::uint32_t> arriving() const { return arriving_; }
     std::uint32_t levelOf(std::uint32_t body) const { return refined_.empty() ? 0 : levels_[body]; }
     /// Level of a contact or joint. Only a movable body has a level above 0.
     std::uint32_t levelOf(std::uint32_t a, std::uint32_t b) const {
@@ -71,6 +74,7 @@ private:
     std::vector<std::pair<std::uint8_t, std::uint32_t>> seeds_; // level and body
     std::vector<Joined> joined_; // bodies that a joint connects, both ways, in order
     std::vector<std::uint32_t> queue_;
+    std::vector<std::uint32_t> arriving_; // slots
 };
 
 /// For a contact that responds: true once its bodies may touch within the step, so that it needs a

@@ -254,8 +254,8 @@ void SoftSolver::refreshManifolds(Substeps& run, bool first) {
     Bodies& bodies = run.bodies;
     ContactStore& store = run.contactSet.store();
     const Tolerances& tolerances = run.step.tolerances;
-    const ManifoldRefresh::Step step{bodies, run.contactSet, tolerances, run.step.dt,
-                                     run.jointPass.h};
+    const ManifoldRefresh::Step step{bodies,      run.contactSet,  tolerances,
+                                     run.step.dt, run.jointPass.h, refinement_.arriving()};
     const bool restitution = run.step.settings.has(Feature::Restitution);
     const auto isSolved = [&](std::uint32_t body) {
         return bodies.isStill(body) ||
@@ -294,10 +294,7 @@ void SoftSolver::refreshManifolds(Substeps& run, bool first) {
     }
     store.sortByKey(newcomers_); // colours depend on the order
     newcomers_.erase(std::unique(newcomers_.begin(), newcomers_.end()), newcomers_.end());
-    store.lanes().arrange(bodies, store.all(), newcomers_,
-                          anyCrowded_ != 0 ? std::span<const std::uint16_t>(overlapCount_)
-                                           : std::span<const std::uint16_t>(),
-                          run.pushSpeed);
+    store.lanes().rearrange(bodies, store.all(), newcomers_, overlapCount_);
     for (const std::uint32_t slot : slots) {
         store.summaries()[slot].kept = false;
         if (!first) {
