@@ -696,30 +696,39 @@ typedef struct kodo_JointEnds {
     kodo_Real breakForce;  // N, > 0; default: infinite
     kodo_Real breakTorque; // N m, > 0; default: infinite
     bool collide;          // true: the two bodies collide with each other
+    uint64_t userData;     // for the user
 } kodo_JointEnds;
 
+/// With a spring, or with limits beyond -3 to 3 rad, the joint counts its turns.
 typedef struct kodo_RevoluteJoint {
     kodo_JointEnds ends;
     kodo_Real reference; // rad; relative angle of b that counts as 0
     bool hasLimits;
-    kodo_Range limits;     // rad, -3 to 3
+    kodo_Range limits;     // rad
     kodo_Real motorSpeed;  // rad/s, of b relative to a
     kodo_Real motorTorque; // N m, >= 0; 0: no motor
+    kodo_Real target;      // rad, rest angle of the spring
+    kodo_Real hertz;       // stiffness, as frequency about the anchor; 0: no spring
+    kodo_Real damping;     // damping ratio; 1 is critical
 } kodo_RevoluteJoint;
 
 typedef struct kodo_FixedJoint {
     kodo_JointEnds ends;
     kodo_Real reference; // rad; relative angle of b
+    kodo_Real hertz;     // stiffness, as frequency of the pair; 0: rigid
+    kodo_Real damping;   // damping ratio; 1 is critical
 } kodo_FixedJoint;
 
-/// A spring, a rod (hertz 0, equal limits) or a rope (hertz 0, limits from 0).
+/// A spring, a rod (hertz 0, equal limits), a rope (hertz 0, limits from 0) or a winch (motor).
 typedef struct kodo_DistanceJoint {
     kodo_JointEnds ends;
     kodo_Real length;  // m, rest length of the spring
     kodo_Real hertz;   // stiffness, as frequency of the pair; 0: no spring
     kodo_Real damping; // damping ratio; 1 is critical
     bool hasLimits;
-    kodo_Range limits; // m, of the distance
+    kodo_Range limits;    // m, of the distance
+    kodo_Real motorSpeed; // m/s, of the distance
+    kodo_Real motorForce; // N, >= 0; 0: no motor
 } kodo_DistanceJoint;
 
 /// b slides along an axis fixed to a.
@@ -731,9 +740,12 @@ typedef struct kodo_PrismaticJoint {
     kodo_Range limits;    // m, of anchor b along the axis
     kodo_Real motorSpeed; // m/s
     kodo_Real motorForce; // N, >= 0; 0: no motor
+    kodo_Real target;     // m, rest translation of the spring
+    kodo_Real hertz;      // stiffness, as frequency of the pair; 0: no spring
+    kodo_Real damping;    // damping ratio; 1 is critical
 } kodo_PrismaticJoint;
 
-/// Drives b to a position and an angle relative to a.
+/// Drives b to a position and an angle relative to a. With hertz 0 it brakes alone, as friction.
 typedef struct kodo_MotorJoint {
     kodo_JointEnds ends; // anchor b is driven to anchor a
     kodo_Real reference; // rad; target of the relative angle of b
@@ -751,7 +763,43 @@ typedef struct kodo_MouseJoint {
     kodo_Real force;   // N, > 0; the largest
     kodo_Real hertz;   // stiffness, with the body's mass
     kodo_Real damping; // damping ratio; 1 is critical
+    uint64_t userData; // for the user
 } kodo_MouseJoint;
+
+/// The axle, anchor b, stays on a line through anchor a that is fixed to a.
+typedef struct kodo_WheelJoint {
+    kodo_JointEnds ends;
+    kodo_Vec2 axis; // unit, in the frame of a's shape
+    bool hasLimits;
+    kodo_Range limits;     // m, of the axle along the axis
+    kodo_Real hertz;       // stiffness, as frequency of the pair; 0: no spring
+    kodo_Real damping;     // damping ratio; 1 is critical
+    kodo_Real motorSpeed;  // rad/s, of b relative to a
+    kodo_Real motorTorque; // N m, >= 0; 0: no motor
+} kodo_WheelJoint;
+
+/// A rope from anchor a over two points of the world to anchor b.
+typedef struct kodo_PulleyJoint {
+    kodo_JointEnds ends;
+    kodo_Vec2 groundA; // m, world
+    kodo_Vec2 groundB; // m, world
+    kodo_Real length;  // m, of the rope: that to a + ratio times that to b
+    kodo_Real ratio;
+} kodo_PulleyJoint;
+
+/// The speed of b is `ratio` times that of a, as seen from the line between the anchors. With a
+/// rack, which is fixed to a, b rolls along it by `ratio` (m) per rad.
+typedef struct kodo_GearJoint {
+    kodo_JointEnds ends;
+    kodo_Real ratio; // not 0; negative for teeth, positive for a belt
+    bool hasRack;
+    kodo_Vec2 rack; // unit, in the frame of a's shape
+} kodo_GearJoint;
+
+/// The two bodies do not collide with each other.
+typedef struct kodo_FilterJoint {
+    kodo_JointEnds ends;
+} kodo_FilterJoint;
 
 typedef int32_t kodo_JointKind;
 enum {
@@ -760,7 +808,11 @@ enum {
     KODO_DISTANCE_JOINT = 2,
     KODO_PRISMATIC_JOINT = 3,
     KODO_MOTOR_JOINT = 4,
-    KODO_MOUSE_JOINT = 5
+    KODO_MOUSE_JOINT = 5,
+    KODO_WHEEL_JOINT = 6,
+    KODO_PULLEY_JOINT = 7,
+    KODO_GEAR_JOINT = 8,
+    KODO_FILTER_JOINT = 9
 };
 
 typedef struct kodo_JointDef {
@@ -773,6 +825,10 @@ typedef struct kodo_JointDef {
         kodo_PrismaticJoint prismatic;
         kodo_MotorJoint motor;
         kodo_MouseJoint mouse;
+        kodo_WheelJoint wheel;
+        kodo_PulleyJoint pulley;
+        kodo_GearJoint gear;
+        kodo_FilterJoint filter;
     };
 } kodo_JointDef;
 
@@ -790,11 +846,29 @@ KODO_C_API kodo_Status kodo_containsJoint(const kodo_World* world, kodo_JointId 
                                           bool* contained);
 KODO_C_API kodo_Status kodo_joints(const kodo_World* world, kodo_JointId* ids, size_t capacity,
                                    size_t* count);
+/// The joints of one body.
+KODO_C_API kodo_Status kodo_jointsOf(const kodo_World* world, kodo_BodyId body, kodo_JointId* ids,
+                                     size_t capacity, size_t* count);
 KODO_C_API kodo_Status kodo_joint(const kodo_World* world, kodo_JointId id, kodo_JointDef* def);
 /// Changes the numbers of a joint; kind and bodies must stay.
 KODO_C_API kodo_Status kodo_setJoint(kodo_World* world, kodo_JointId id, const kodo_JointDef* def);
 /// On body b: mean over the last step in which the joint was awake.
 KODO_C_API kodo_Status kodo_jointLoad(const kodo_World* world, kodo_JointId id, kodo_Load* load);
+
+/// Where a joint is, and how it moves: b relative to a.
+typedef struct kodo_JointState {
+    kodo_Vec2 anchorA;      // m, world; of a mouse joint: the target
+    kodo_Vec2 anchorB;      // m, world
+    kodo_Real angle;        // rad, from the reference; -pi to pi, or counted
+    kodo_Real angularSpeed; // rad/s
+    kodo_Real length;       // m, between the anchors; of a pulley: of the taut rope
+    kodo_Real lengthSpeed;  // m/s
+    kodo_Real translation;  // m, along the axis of a prismatic or wheel joint; else 0
+    kodo_Real speed;        // m/s, likewise
+} kodo_JointState;
+
+KODO_C_API kodo_Status kodo_jointState(const kodo_World* world, kodo_JointId id,
+                                       kodo_JointState* state);
 
 /// A joint that its load broke in the last step. Its id is no longer valid.
 typedef struct kodo_BrokenJoint {

@@ -109,7 +109,7 @@ TEST(CErrors, KindsBeyondTheLastAreRefused) {
                 kodo_addBody(world, &body, &id));
     const kodo_JointDef joint = kodo_jointDef(99);
     kodo_JointId jointId{};
-    expectError(KODO_BAD_DEFINITION, "kind: must be from 0 to 5, but is 99",
+    expectError(KODO_BAD_DEFINITION, "kind: must be from 0 to 9, but is 99",
                 kodo_addJoint(world, &joint, &jointId));
     const kodo_Field field = kodo_field(6);
     expectError(KODO_BAD_DEFINITION, "field.kind: must be from 0 to 5, but is 6",

@@ -17,10 +17,10 @@ struct Pair {
     kodo::BodyId otherB = other.add({.position = {2, 0}});
 
     kodo_JointEnds ends() const {
-        return {a, b, {1, kodo_Real(0.5)}, {-1, kodo_Real(0.25)}, 1000, 2000, true};
+        return {a, b, {1, kodo_Real(0.5)}, {-1, kodo_Real(0.25)}, 1000, 2000, true, 9};
     }
     kodo::JointEnds otherEnds() const {
-        return {otherA, otherB, {1, kodo::Real(0.5)}, {-1, kodo::Real(0.25)}, 1000, 2000, true};
+        return {otherA, otherB, {1, kodo::Real(0.5)}, {-1, kodo::Real(0.25)}, 1000, 2000, true, 9};
     }
     /// The joint of C is that of C++, also after it is read, removed and added again.
     void expectSame(const kodo_JointDef& def, const kodo::JointDef& expected) {
@@ -44,6 +44,22 @@ struct Pair {
         EXPECT_EQ(other.jointForce(otherId).x, load.force.x);
         EXPECT_EQ(other.jointForce(otherId).y, load.force.y);
         EXPECT_EQ(other.jointTorque(otherId), load.torque);
+        kodo_JointState state{};
+        EXPECT_OK(kodo_jointState(world, id, &state));
+        const kodo::JointState otherState = other.jointState(otherId);
+        EXPECT_EQ(otherState.anchorA.x, state.anchorA.x);
+        EXPECT_EQ(otherState.anchorB.y, state.anchorB.y);
+        EXPECT_EQ(otherState.angle, state.angle);
+        EXPECT_EQ(otherState.angularSpeed, state.angularSpeed);
+        EXPECT_EQ(otherState.length, state.length);
+        EXPECT_EQ(otherState.lengthSpeed, state.lengthSpeed);
+        EXPECT_EQ(otherState.translation, state.translation);
+        EXPECT_EQ(otherState.speed, state.speed);
+        kodo_JointId listed{};
+        std::size_t count = 0;
+        EXPECT_OK(kodo_jointsOf(world, a, &listed, 1, &count));
+        EXPECT_EQ(1u, count);
+        EXPECT_EQ(id.index, listed.index);
 
         EXPECT_OK(kodo_removeJoint(world, id));
         bool contained = true;
@@ -55,32 +71,33 @@ struct Pair {
 TEST(CJoints, ARevoluteJointIsThatOfCpp) {
     Pair pair;
     kodo_JointDef def = kodo_jointDef(KODO_REVOLUTE_JOINT);
-    def.revolute = {pair.ends(), kodo_Real(0.1), true, {-1, 2}, 3, 4};
-    pair.expectSame(
-        def, kodo::RevoluteJoint{pair.otherEnds(), kodo::Real(0.1), kodo::Range{-1, 2}, 3, 4});
+    def.revolute = {pair.ends(), kodo_Real(0.1), true, {-1, 2}, 3, 4, 5, 6, 7};
+    pair.expectSame(def, kodo::RevoluteJoint{pair.otherEnds(), kodo::Real(0.1), kodo::Range{-1, 2},
+                                             3, 4, 5, 6, 7});
 }
 
 TEST(CJoints, AFixedJointIsThatOfCpp) {
     Pair pair;
     kodo_JointDef def = kodo_jointDef(KODO_FIXED_JOINT);
-    def.fixed = {pair.ends(), kodo_Real(0.1)};
-    pair.expectSame(def, kodo::FixedJoint{pair.otherEnds(), kodo::Real(0.1)});
+    def.fixed = {pair.ends(), kodo_Real(0.1), 2, 3};
+    pair.expectSame(def, kodo::FixedJoint{pair.otherEnds(), kodo::Real(0.1), 2, 3});
 }
 
 TEST(CJoints, ADistanceJointIsThatOfCpp) {
     Pair pair;
     kodo_JointDef def = kodo_jointDef(KODO_DISTANCE_JOINT);
-    def.distance = {pair.ends(), kodo_Real(0.1), 2, 3, true, {0, 4}};
+    def.distance = {pair.ends(), kodo_Real(0.1), 2, 3, true, {0, 4}, 5, 6};
     pair.expectSame(
-        def, kodo::DistanceJoint{pair.otherEnds(), kodo::Real(0.1), 2, 3, kodo::Range{0, 4}});
+        def, kodo::DistanceJoint{pair.otherEnds(), kodo::Real(0.1), 2, 3, kodo::Range{0, 4}, 5, 6});
 }
 
 TEST(CJoints, APrismaticJointIsThatOfCpp) {
     Pair pair;
     kodo_JointDef def = kodo_jointDef(KODO_PRISMATIC_JOINT);
-    def.prismatic = {pair.ends(), {0, 1}, kodo_Real(0.1), true, {-1, 2}, 3, 4};
-    pair.expectSame(def, kodo::PrismaticJoint{
-                             pair.otherEnds(), {0, 1}, kodo::Real(0.1), kodo::Range{-1, 2}, 3, 4});
+    def.prismatic = {pair.ends(), {0, 1}, kodo_Real(0.1), true, {-1, 2}, 3, 4, 5, 6, 7};
+    pair.expectSame(
+        def, kodo::PrismaticJoint{
+                 pair.otherEnds(), {0, 1}, kodo::Real(0.1), kodo::Range{-1, 2}, 3, 4, 5, 6, 7});
 }
 
 TEST(CJoints, AMotorJointIsThatOfCpp) {
@@ -93,8 +110,48 @@ TEST(CJoints, AMotorJointIsThatOfCpp) {
 TEST(CJoints, AMouseJointIsThatOfCpp) {
     Pair pair;
     kodo_JointDef def = kodo_jointDef(KODO_MOUSE_JOINT);
-    def.mouse = {pair.a, {0, kodo_Real(0.25)}, {1, 2}, 30, 4, 5};
-    pair.expectSame(def, kodo::MouseJoint{pair.otherA, {0, kodo::Real(0.25)}, {1, 2}, 30, 4, 5});
+    def.mouse = {pair.a, {0, kodo_Real(0.25)}, {1, 2}, 30, 4, 5, 6};
+    pair.expectSame(def, kodo::MouseJoint{pair.otherA, {0, kodo::Real(0.25)}, {1, 2}, 30, 4, 5, 6});
+}
+
+TEST(CJoints, AWheelJointIsThatOfCpp) {
+    Pair pair;
+    kodo_JointDef def = kodo_jointDef(KODO_WHEEL_JOINT);
+    EXPECT_EQ(1, def.wheel.axis.y);
+    def.wheel = {pair.ends(), {1, 0}, true, {-1, 2}, 3, 4, 5, 6};
+    pair.expectSame(def,
+                    kodo::WheelJoint{pair.otherEnds(), {1, 0}, kodo::Range{-1, 2}, 3, 4, 5, 6});
+}
+
+TEST(CJoints, APulleyJointIsThatOfCpp) {
+    Pair pair;
+    kodo_JointDef def = kodo_jointDef(KODO_PULLEY_JOINT);
+    EXPECT_EQ(1, def.pulley.ratio);
+    def.pulley = {pair.ends(), {1, 5}, {2, 6}, 20, 2};
+    pair.expectSame(def, kodo::PulleyJoint{pair.otherEnds(), {1, 5}, {2, 6}, 20, 2});
+}
+
+TEST(CJoints, AGearJointIsThatOfCpp) {
+    Pair gears;
+    kodo_JointDef def = kodo_jointDef(KODO_GEAR_JOINT);
+    EXPECT_EQ(-1, def.gear.ratio);
+    EXPECT_FALSE(def.gear.hasRack);
+    def.gear.ends = gears.ends();
+    def.gear.ratio = 2;
+    gears.expectSame(def, kodo::GearJoint{gears.otherEnds(), 2, {}});
+    Pair rack;
+    def.gear = {rack.ends(), 2, true, {0, 1}};
+    rack.expectSame(def, kodo::GearJoint{rack.otherEnds(), 2, kodo::Vec2{0, 1}});
+}
+
+TEST(CJoints, AFilterJointIsThatOfCpp) {
+    Pair pair;
+    kodo_JointDef def = kodo_jointDef(KODO_FILTER_JOINT);
+    def.filter.ends = pair.ends();
+    def.filter.ends.collide = false;
+    kodo::JointEnds ends = pair.otherEnds();
+    ends.collide = false;
+    pair.expectSame(def, kodo::FilterJoint{ends});
 }
 
 TEST(CJoints, DefaultsAreThoseOfCpp) {

@@ -151,7 +151,7 @@ TEST(BadInput, InARevoluteOrFixedJointIsRefused) {
                              }),
         joint<RevoluteJoint>("limits.lower",
                              [](RevoluteJoint& d) {
-                                 d.limits = Range{-4, 0};
+                                 d.limits = Range{Real(-2e4), 0};
                              }),
         joint<RevoluteJoint>("limits.upper",
                              [](RevoluteJoint& d) {
@@ -210,13 +210,54 @@ TEST(BadInput, InAMotorOrMouseJointIsRefused) {
         joint<MotorJoint>("reference", [](MotorJoint& d) { d.reference = kNan; }),
         joint<MotorJoint>("force", [](MotorJoint& d) { d.force = -1; }),
         joint<MotorJoint>("torque", [](MotorJoint& d) { d.torque = kInf; }),
-        joint<MotorJoint>("hertz", [](MotorJoint& d) { d.hertz = 0; }),
+        joint<MotorJoint>("hertz", [](MotorJoint& d) { d.hertz = Real(1e-4); }),
         joint<MotorJoint>("damping", [](MotorJoint& d) { d.damping = -1; }),
         joint<MouseJoint>("anchor", [](MouseJoint& d) { d.anchor.x = kNan; }),
         joint<MouseJoint>("target", [](MouseJoint& d) { d.target.y = kInf; }),
         joint<MouseJoint>("force", [](MouseJoint& d) { d.force = kNan; }),
         joint<MouseJoint>("hertz", [](MouseJoint& d) { d.hertz = 0; }),
         joint<MouseJoint>("damping", [](MouseJoint& d) { d.damping = kNan; }),
+    });
+}
+
+template <typename Joint>
+std::vector<Bad> badSprings() {
+    return {joint<Joint>("hertz", [](Joint& d) { d.hertz = -1; }),
+            joint<Joint>("hertz", [](Joint& d) { d.hertz = kNan; }),
+            joint<Joint>("damping", [](Joint& d) { d.damping = kInf; })};
+}
+
+TEST(BadInput, InSpringsOfJointsIsRefused) {
+    expectRefused(badSprings<RevoluteJoint>());
+    expectRefused(badSprings<FixedJoint>());
+    expectRefused(badSprings<PrismaticJoint>());
+    expectRefused(badSprings<WheelJoint>());
+    expectRefused({
+        joint<RevoluteJoint>("target", [](RevoluteJoint& d) { d.target = kNan; }),
+        joint<PrismaticJoint>("target", [](PrismaticJoint& d) { d.target = 2 * kMaxCoordinate; }),
+        joint<DistanceJoint>("motorSpeed", [](DistanceJoint& d) { d.motorSpeed = kInf; }),
+        joint<DistanceJoint>("motorForce", [](DistanceJoint& d) { d.motorForce = -1; }),
+    });
+}
+
+TEST(BadInput, InAWheelPulleyOrGearJointIsRefused) {
+    const auto limits = [](Range range) { return [=](WheelJoint& d) { d.limits = range; }; };
+    const auto rack = [](Vec2 axis) { return [=](GearJoint& d) { d.rack = axis; }; };
+    expectRefused({
+        joint<WheelJoint>("axis", [](WheelJoint& d) { d.axis = Vec2{}; }),
+        joint<WheelJoint>("limits.upper", limits({1, 0})),
+        joint<WheelJoint>("limits.lower", limits({kNan, 0})),
+        joint<WheelJoint>("motorSpeed", [](WheelJoint& d) { d.motorSpeed = kNan; }),
+        joint<WheelJoint>("motorTorque", [](WheelJoint& d) { d.motorTorque = -1; }),
+        joint<PulleyJoint>("groundA", [](PulleyJoint& d) { d.groundA.x = kNan; }),
+        joint<PulleyJoint>("groundB", [](PulleyJoint& d) { d.groundB.y = 2 * kMaxCoordinate; }),
+        joint<PulleyJoint>("length", [](PulleyJoint& d) { d.length = -1; }),
+        joint<PulleyJoint>("ratio", [](PulleyJoint& d) { d.ratio = 0; }),
+        joint<GearJoint>("ratio", [](GearJoint& d) { d.ratio = 0; }),
+        joint<GearJoint>("ratio", [](GearJoint& d) { d.ratio = kNan; }),
+        joint<GearJoint>("ratio", [](GearJoint& d) { d.ratio = 2000; }),
+        joint<GearJoint>("rack", rack({1, 1})),
+        joint<FilterJoint>("ends.collide", [](FilterJoint& d) { d.ends.collide = true; }),
     });
 }
 

@@ -168,6 +168,11 @@ private:
                            .motorForce = 10},
             MotorJoint{.ends = ends, .force = 50, .torque = 10},
             MouseJoint{.body = b, .target = place(), .force = 100},
+            FixedJoint{.ends = ends, .reference = angle, .hertz = 3, .damping = 1},
+            RevoluteJoint{.ends = ends, .limits = Range{-9, 9}, .hertz = 2},
+            WheelJoint{.ends = ends, .hertz = 4, .damping = 1, .motorSpeed = 5, .motorTorque = 3},
+            GearJoint{.ends = ends, .ratio = -2},
+            FilterJoint{.ends = {a, b}},
         };
         const JointDef def = kinds[random_.below(std::size(kinds))];
         return [=](World& w) { w.add(def); };

@@ -167,6 +167,15 @@ private:
             PrismaticJoint{.ends = ends, .limits = Range{-1, number}},
             MotorJoint{.ends = ends, .force = number, .torque = 1},
             MouseJoint{.body = ends.a, .target = ends.anchorA, .force = number},
+            RevoluteJoint{.ends = ends, .limits = Range{-9, number}, .target = 4, .hertz = 2},
+            FixedJoint{.ends = ends, .hertz = number, .damping = 1},
+            DistanceJoint{.ends = ends, .motorSpeed = number, .motorForce = 5},
+            PrismaticJoint{.ends = ends, .target = number, .hertz = 3},
+            WheelJoint{.ends = ends, .hertz = 4, .motorSpeed = number, .motorTorque = 5},
+            PulleyJoint{.ends = ends, .groundA = {0, 9}, .groundB = {3, 9}, .length = number},
+            GearJoint{.ends = ends, .ratio = number},
+            GearJoint{.ends = ends, .ratio = number, .rack = Vec2{1, 0}},
+            FilterJoint{.ends = ends},
         };
         const JointDef def = kinds[feed_.below(std::size(kinds))];
         const std::vector<JointId> joints = world_.joints();

@@ -225,7 +225,7 @@ TEST(JointSet, RefusesInvalidNumbers) {
          }},
         {"motorSpeed", [=](JointEnds e) { return PrismaticJoint{.ends = e, .motorSpeed = nan}; }},
         {"force", [](JointEnds e) { return MotorJoint{.ends = e, .force = -1}; }},
-        {"hertz", [](JointEnds e) { return MotorJoint{.ends = e, .hertz = 0}; }},
+        {"hertz", [](JointEnds e) { return MotorJoint{.ends = e, .hertz = -1}; }},
         {"target",
          [=](JointEnds e) {
              return MouseJoint{.body = e.a, .target = {nan, 0}};

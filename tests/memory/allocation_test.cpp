@@ -66,6 +66,14 @@ struct Scene {
             .ends = pair(6), .limits = Range{-1, 1}, .motorSpeed = 1, .motorForce = 9});
         world.add(MotorJoint{.ends = pair(9), .force = 100, .torque = 10});
         world.add(RevoluteJoint{.ends = pair(12), .motorSpeed = 2, .motorTorque = 100});
+        world.add(RevoluteJoint{.ends = pair(15), .limits = Range{-9, 9}, .hertz = 2});
+        world.add(FixedJoint{.ends = pair(18), .hertz = 3});
+        world.add(WheelJoint{
+            .ends = pair(21), .hertz = 4, .damping = 1, .motorSpeed = 1, .motorTorque = 9});
+        const JointEnds rope = pair(24);
+        world.add(PulleyJoint{rope, {24, 30}, {24, 26}, 10, 1});
+        world.add(GearJoint{.ends = rope});
+        world.add(FilterJoint{.ends = pair(27)});
     }
 
     void addFields() {

@@ -252,12 +252,22 @@ class Joints(unittest.TestCase):
         world, (box, other, _) = falling_boxes()
         ends = {"a": box.id, "b": other.id, "anchor_a": (0.5, 0.0), "break_force": 1000.0}
         joints = [
-            kodo.RevoluteJoint(**ends, limits=(-1.0, 2.0), motor_speed=3.0, motor_torque=4.0),
-            kodo.FixedJoint(**ends, reference=0.5),
-            kodo.DistanceJoint(**ends, length=2.0, hertz=3.0, damping=0.5, limits=(0.0, 4.0)),
-            kodo.PrismaticJoint(**ends, axis=(0.0, 1.0), motor_speed=2.0, motor_force=3.0),
-            kodo.MotorJoint(**ends, force=2.0, torque=3.0),
-            kodo.MouseJoint(box.id, target=(1.0, 2.0), damping=0.5),
+            kodo.RevoluteJoint(**ends, limits=(-1.0, 2.0), motor_speed=3.0, motor_torque=4.0,
+                               target=5.0, hertz=6.0, damping=7.0),
+            kodo.FixedJoint(**ends, reference=0.5, hertz=2.0, damping=3.0),
+            kodo.DistanceJoint(**ends, length=2.0, hertz=3.0, damping=0.5, limits=(0.0, 4.0),
+                               motor_speed=5.0, motor_force=6.0),
+            kodo.PrismaticJoint(**ends, axis=(0.0, 1.0), motor_speed=2.0, motor_force=3.0,
+                                target=4.0, hertz=5.0, damping=6.0),
+            kodo.MotorJoint(**ends, force=2.0, torque=3.0, hertz=0.0),
+            kodo.MouseJoint(box.id, target=(1.0, 2.0), damping=0.5, user_data=9),
+            kodo.WheelJoint(**ends, axis=(1.0, 0.0), limits=(-1.0, 2.0), hertz=3.0, damping=4.0,
+                            motor_speed=5.0, motor_torque=6.0),
+            kodo.PulleyJoint(**ends, ground_a=(1.0, 9.0), ground_b=(2.0, 8.0), length=12.0,
+                             ratio=2.0),
+            kodo.GearJoint(**ends, ratio=-3.0),
+            kodo.GearJoint(**ends, ratio=0.5, rack=(0.0, 1.0)),
+            kodo.FilterJoint(**ends, user_data=2**63),
         ]
         for joint in joints:
             added = world.add_joint(joint)
@@ -266,6 +276,24 @@ class Joints(unittest.TestCase):
             world.remove_joint(added)
             self.assertFalse(world.contains_joint(added))
         self.assertEqual([], world.joints)
+
+    def test_a_joint_tells_its_state_and_changes_one_number(self):
+        world = kodo.World()
+        post = world.add(kodo.Circle(0.1), type=kodo.BodyType.STATIC)
+        drum = world.add(kodo.Circle(0.5))
+        hinge = world.add_joint(kodo.RevoluteJoint(post, drum, limits=(-100.0, 100.0),
+                                                   motor_speed=8.0, motor_torque=100.0))
+        for _ in range(60):
+            world.step(DT)
+        state = world.joint_state(hinge)
+        self.assertAlmostEqual(8, state.angle, delta=0.05)  # less a part of the first step
+        self.assertAlmostEqual(8, state.angular_speed, places=3)
+        self.assertAlmostEqual(0, state.length, places=4)
+        world.change_joint(hinge, motor_speed=-2.0)
+        world.step(DT)
+        self.assertAlmostEqual(-2, world.joint_state(hinge).angular_speed, places=3)
+        self.assertEqual(100.0, world.joint(hinge).motor_torque)
+        self.assertEqual([hinge], world.joints_of(drum))
 
     def test_a_joint_carries_and_breaks(self):
         world = kodo.World(gravity=(0, -10))

@@ -203,6 +203,24 @@ JointCase caseOf(MotorJoint joint) {
     joint.force = 1;
     return {"motor", joint, {{0, 0}, {-4.2f, 0.4f}, {-4.2f, -0.4f}}};
 }
+JointCase caseOf(WheelJoint joint) {
+    joint.ends = kMiddle;
+    joint.axis = {1, 0};
+    joint.limits = Range{-3, 3};
+    return {"wheel", joint, {{-3, Real(0.5)}, {3, Real(-0.5)}, {1, 0}, {0, Real(0.5)}}};
+}
+JointCase caseOf(PulleyJoint joint) {
+    joint.groundA = {-5, 4};
+    joint.groundB = {5, 4};
+    joint.length = 8;
+    return {"pulley", joint, {{-5, 2}, {0, 4}, {5, 2}, {Real(-4.5), 4}}};
+}
+JointCase caseOf(GearJoint joint) {
+    return {"gear", joint, {{0, 0}, {-5, 1}, {5, -1}}};
+}
+JointCase caseOf(FilterJoint joint) {
+    return {"filter", joint, {{-2, 0}, {2, 0}}};
+}
 JointCase caseOf(MouseJoint joint) {
     joint.target = {5, 5};
     joint.force = 1;

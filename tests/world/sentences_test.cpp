@@ -134,9 +134,15 @@ TEST(Sentences, OfAJoint) {
             [](Beginning& s) {
                 return FixedJoint{.ends = {.a = s.box, .b = s.ball, .breakForce = -5}};
             }),
-        add("limits.lower: must be from -3 to 3 rad, but is -90: 3 rad are 172 degrees",
+        add("limits.lower: must be from -10000 to 10000 rad, but is -36000",
             [](Beginning& s) {
-                return RevoluteJoint{.ends = s.ends(), .limits = Range{-90, 90}};
+                return RevoluteJoint{.ends = s.ends(), .limits = Range{-36000, 90}};
+            }),
+        add("ratio: is 0, so the gear would not turn: give the speed of b per speed of a",
+            [](Beginning& s) { return GearJoint{.ends = s.ends(), .ratio = 0}; }),
+        add("ends.collide: is true, so the joint would do nothing",
+            [](Beginning& s) {
+                return FilterJoint{.ends = {.a = s.box, .b = s.ball, .collide = true}};
             }),
         add("limits.upper: must be at least limits.lower, which is 1 rad, but is 0",
             [](Beginning& s) {
@@ -217,6 +223,10 @@ TEST(Sentences, OfACallWithSeveralBodiesNameTheIdThatIsNone) {
     expectEnds(DistanceJoint{.hertz = 1});
     expectEnds(PrismaticJoint{});
     expectEnds(MotorJoint{.force = 1});
+    expectEnds(WheelJoint{});
+    expectEnds(PulleyJoint{});
+    expectEnds(GearJoint{});
+    expectEnds(FilterJoint{});
     expect("body: " + ofGone, [&] { scene.world.add(MouseJoint{.body = gone, .force = 1}); });
     expect("into: " + ofGone, [&] { scene.world.weld(gone, scene.box); });
     expect("part: " + ofForeign, [&] { scene.world.weld(scene.box, foreign); });

@@ -110,6 +110,18 @@ inline void addJoints(kodo::World& world, const std::vector<kodo::BodyId>& piece
     world.add(kodo::PrismaticJoint{ends(6), {1, 0}, 0, kodo::Range{-1, 1}, 1, 2});
     world.add(kodo::MotorJoint{ends(8), 0, 1, 1});
     world.add(kodo::MouseJoint{pieces[10], {}, {1, 4}, 3});
+    world.add(kodo::RevoluteJoint{.ends = ends(22), .target = 5, .hertz = 1});
+    world.add(kodo::FixedJoint{.ends = ends(24), .hertz = 3, .damping = 1});
+    world.add(kodo::PrismaticJoint{.ends = ends(26), .hertz = 2});
+    world.add(kodo::DistanceJoint{.ends = ends(30), .motorSpeed = 1, .motorForce = 3});
+    world.add(kodo::WheelJoint{
+        .ends = ends(31), .hertz = 3, .damping = 1, .motorSpeed = 9, .motorTorque = 1});
+    world.add(kodo::PulleyJoint{ends(33), {0, 9}, {2, 9}, 16, 1});
+    world.add(kodo::GearJoint{.ends = ends(35)});
+    world.add(kodo::GearJoint{.ends = ends(36), .ratio = 1, .rack = kodo::Vec2{1, 0}});
+    kodo::JointEnds named = ends(37);
+    named.userData = 9;
+    world.add(kodo::FilterJoint{named});
     kodo::JointEnds weak = ends(11);
     weak.breakForce = kodo::Real(0.5);
     world.add(kodo::RevoluteJoint{weak});

@@ -22,14 +22,78 @@ bool isDynamic(const World& world, BodyId id) {
     return world[id].type() == BodyType::Dynamic;
 }
 
+Vec2 anchorAt(const World& world, BodyId id, Vec2 anchor) {
+    return world[id].transform() * anchor;
+}
+
+bool moves(const World& world, BodyId id) {
+    return isDynamic(world, id) && (world[id].flags() & kLockMove) == 0;
+}
+
 /// kg; the upper bound of what a spring between two bodies moves.
-long double reducedMass(const World& world, const DistanceJoint& joint) {
+long double reducedMass(const World& world, const JointEnds& ends) {
     const auto inverse = [&](BodyId id) {
-        const bool moves = isDynamic(world, id) && (world[id].flags() & kLockMove) == 0;
-        return moves ? 1 / wide(world[id].mass()) : 0.0L;
+        return moves(world, id) ? 1 / wide(world[id].mass()) : 0.0L;
     };
-    const long double sum = inverse(joint.ends.a) + inverse(joint.ends.b);
+    const long double sum = inverse(ends.a) + inverse(ends.b);
     return sum > 0 ? 1 / sum : 0;
+}
+
+/// kg m^2; the same of a spring that rotates them about their anchors.
+long double reducedInertia(const World& world, const JointEnds& ends) {
+    const auto inverse = [&](BodyId id, Vec2 anchor) {
+        const BodyView body = world[id];
+        if (!isDynamic(world, id) || (body.flags() & kLockRotate) != 0) {
+            return 0.0L;
+        }
+        const Vec2 arm = anchorAt(world, id, anchor) - body.center();
+        const Real swung = moves(world, id) ? body.mass() * lengthSquared(arm) : Real(0);
+        return 1 / wide(body.inertia() + swung);
+    };
+    const long double sum = inverse(ends.a, ends.anchorA) + inverse(ends.b, ends.anchorB);
+    return sum > 0 ? 1 / sum : 0;
+}
+
+/// J; the upper bound of what the springs of a joint hold.
+long double springEnergy(const World& world, JointId id) {
+    const JointState state = world.jointState(id);
+    const JointDef& def = world.joint(id);
+    Real hertz = 0;
+    Real stretch = 0;
+    Real turn = 0;
+    if (const auto* distance = std::get_if<DistanceJoint>(&def)) {
+        hertz = distance->hertz;
+        stretch = state.length - distance->length;
+    } else if (const auto* slider = std::get_if<PrismaticJoint>(&def)) {
+        hertz = slider->hertz;
+        stretch = state.translation - slider->target;
+    } else if (const auto* wheel = std::get_if<WheelJoint>(&def)) {
+        hertz = wheel->hertz;
+        stretch = state.translation;
+    } else if (const auto* fixed = std::get_if<FixedJoint>(&def)) {
+        hertz = fixed->hertz;
+        stretch = state.length;
+        turn = state.angle;
+    } else if (const auto* revolute = std::get_if<RevoluteJoint>(&def)) {
+        hertz = revolute->hertz;
+        turn = state.angle - revolute->target;
+    }
+    if (!(hertz > 0)) {
+        return 0;
+    }
+    const JointEnds ends = std::visit(
+        [](const auto& kind) {
+            if constexpr (requires { kind.ends; }) {
+                return kind.ends;
+            } else {
+                return JointEnds{};
+            }
+        },
+        def);
+    const long double omega = 2 * std::numbers::pi_v<long double> * wide(hertz);
+    return omega * omega / 2 *
+           (reducedMass(world, ends) * wide(stretch) * wide(stretch) +
+            reducedInertia(world, ends) * wide(turn) * wide(turn));
 }
 
 /// Largest force (N) and torque (N m) with which a joint drives its bodies.
@@ -44,13 +108,28 @@ Drive driveOf(const JointDef& def) {
     if (const auto* joint = std::get_if<PrismaticJoint>(&def)) {
         return {joint->motorSpeed != 0 ? joint->motorForce : 0, 0};
     }
-    if (const auto* joint = std::get_if<MotorJoint>(&def)) {
+    if (const auto* joint = std::get_if<MotorJoint>(&def); joint != nullptr && joint->hertz > 0) {
         return {joint->force, joint->torque};
+    }
+    if (const auto* joint = std::get_if<DistanceJoint>(&def)) {
+        return {joint->motorSpeed != 0 ? joint->motorForce : 0, 0};
+    }
+    if (const auto* joint = std::get_if<WheelJoint>(&def)) {
+        return {0, joint->motorSpeed != 0 ? joint->motorTorque : 0};
     }
     if (const auto* joint = std::get_if<MouseJoint>(&def)) {
         return {joint->force, 0};
     }
     return {};
+}
+
+/// Load on a of a rope or a gear, as a multiple of that on b; at least 1.
+Real loadOfA(const JointDef& def) {
+    if (const auto* pulley = std::get_if<PulleyJoint>(&def)) {
+        return std::max(Real(1), 1 / pulley->ratio);
+    }
+    const auto* gear = std::get_if<GearJoint>(&def);
+    return gear != nullptr ? std::max(Real(1), std::abs(gear->ratio)) : Real(1);
 }
 
 /// J; bound of the work of a kinematic body, at an anchor within `reach` (m), in a step of dt (s).
@@ -63,10 +142,6 @@ long double workOf(const BodyView& body, Real force, Real torque, Real reach, Re
 }
 
 constexpr Real kFarAnchor = 30; // m, anchors far away
-
-Vec2 anchorAt(const World& world, BodyId id, Vec2 anchor) {
-    return world[id].transform() * anchor;
-}
 
 } // namespace
 
@@ -111,14 +186,8 @@ void EnergyJudge::restart(const World& world) {
     scale_ = std::max(scale_, weight * wide(world.tolerances().unit()));
     before_.clear();
     for (const JointId id : world.joints()) {
-        const JointDef& def = world.joint(id);
-        before_[id] = endsOf(world, def);
-        const auto* spring = std::get_if<DistanceJoint>(&def);
-        if (spring != nullptr && spring->hertz > 0) {
-            const long double omega = 2 * std::numbers::pi_v<long double> * wide(spring->hertz);
-            const long double stretch = wide(length(before_[id].gap) - spring->length);
-            budget_ += reducedMass(world, *spring) * omega * omega * stretch * stretch / 2;
-        }
+        before_[id] = endsOf(world, world.joint(id));
+        budget_ += springEnergy(world, id);
     }
     scale_ = std::max(scale_, std::abs(budget_ - energyOf(world)));
 }
@@ -135,9 +204,10 @@ long double EnergyJudge::workOfJoints(const World& world) {
         const Real turned = std::max({std::abs((now.angle * last.angle.inverse()).angle()),
                                       dt_ * std::abs(now.spin), dt_ * std::abs(last.spin)});
         work += wide(drive.force * moved) + wide(drive.torque * turned);
+        const Real times = loadOfA(def);
         for (const BodyId end : {firstBody(def), secondBody(def)}) {
-            work += workOf(world[end], length(world.jointForce(id)), world.jointTorque(id),
-                           length(now.gap) + kFarAnchor, dt_);
+            work += workOf(world[end], times * length(world.jointForce(id)),
+                           times * world.jointTorque(id), length(now.gap) + kFarAnchor, dt_);
         }
         before_[id] = now;
     }

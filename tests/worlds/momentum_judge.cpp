@@ -19,7 +19,8 @@ MomentumJudge::MomentumJudge(const Recipe& recipe)
                   (body.flags & (kLockMove | kLockRotate)) == 0;
     }
     for (const JointDef& joint : recipe.joints) {
-        closed_ = closed_ && !std::holds_alternative<MouseJoint>(joint);
+        closed_ = closed_ && !std::holds_alternative<MouseJoint>(joint) &&
+                  !std::holds_alternative<PulleyJoint>(joint);
     }
 }
 

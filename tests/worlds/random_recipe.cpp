@@ -278,6 +278,17 @@ private:
         }
     }
 
+    /// A taut rope over two points above the bodies.
+    PulleyJoint pulleyOf(const JointEnds& ends, const BodyDef& a, const BodyDef& b) {
+        const Vec2 above{0, random_.between(1, 4)};
+        const Real ratio = random_.between(0.3, 3);
+        return {ends, a.position + above, b.position + above, (1 + ratio) * above.y, ratio};
+    }
+    static FilterJoint filterOf(JointEnds ends) {
+        ends.collide = false;
+        return {ends};
+    }
+
     void addJoint(std::size_t a, std::size_t b) {
         const BodyDef& one = recipe_.bodies[a];
         const BodyDef& other = recipe_.bodies[b];
@@ -316,6 +327,24 @@ private:
                 .ends = ends, .reference = angle, .motorSpeed = speed, .motorForce = force},
             MotorJoint{.ends = ends, .reference = angle, .force = force, .torque = force},
             MouseJoint{.body = ends.b, .target = middle, .force = force},
+            RevoluteJoint{.ends = ends, .target = 4 * low, .hertz = hertz},
+            RevoluteJoint{.ends = ends,
+                          .limits = Range{6 * low, 9},
+                          .motorSpeed = speed,
+                          .motorTorque = force},
+            FixedJoint{.ends = ends, .reference = angle, .hertz = hertz},
+            DistanceJoint{.ends = apart, .motorSpeed = speed, .motorForce = force},
+            PrismaticJoint{.ends = ends, .reference = angle, .target = low, .hertz = hertz},
+            MotorJoint{.ends = ends, .force = force, .torque = force, .hertz = 0},
+            WheelJoint{.ends = ends,
+                       .limits = Range{low, 1},
+                       .hertz = hertz,
+                       .motorSpeed = speed,
+                       .motorTorque = force},
+            pulleyOf(apart, one, other),
+            GearJoint{.ends = ends, .ratio = speed},
+            GearJoint{.ends = ends, .ratio = low - 1, .rack = Vec2{1, 0}},
+            filterOf(ends),
         };
         recipe_.joints.push_back(kinds[random_.below(std::size(kinds))]);
     }

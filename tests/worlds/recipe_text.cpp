@@ -10,7 +10,7 @@ namespace {
 
 using namespace kodo;
 
-constexpr int kFormat = 2; // 1: shapes without a radius
+constexpr int kFormat = 3; // 1: shapes without a radius; 2: joints without springs of all kinds
 
 /// Writes and reads the same fields, so that both directions agree.
 class Writer {
@@ -228,6 +228,14 @@ void visit(Stream& s, BodyDef& def) {
     s.line();
 }
 
+/// Members of joints that files of formats 1 and 2 do not have.
+template <typename Stream, typename... Members>
+void later(Stream& s, Members&... members) {
+    if (s.format > 2) {
+        (s.one(members), ...);
+    }
+}
+
 template <typename Stream>
 void visit(Stream& s, JointEnds& ends) {
     s.one(ends.a.index);
@@ -237,6 +245,7 @@ void visit(Stream& s, JointEnds& ends) {
     s.one(ends.breakForce); // "inf" for one that does not break
     s.one(ends.breakTorque);
     s.one(ends.collide);
+    later(s, ends.userData);
 }
 
 template <typename Stream>
@@ -253,11 +262,13 @@ void visit(Stream& s, RevoluteJoint& joint) {
     visit(s, joint.limits);
     s.one(joint.motorSpeed);
     s.one(joint.motorTorque);
+    later(s, joint.target, joint.hertz, joint.damping);
 }
 template <typename Stream>
 void visit(Stream& s, FixedJoint& joint) {
     visit(s, joint.ends);
     s.one(joint.reference);
+    later(s, joint.hertz, joint.damping);
 }
 template <typename Stream>
 void visit(Stream& s, DistanceJoint& joint) {
@@ -266,6 +277,7 @@ void visit(Stream& s, DistanceJoint& joint) {
     s.one(joint.hertz);
     s.one(joint.damping);
     visit(s, joint.limits);
+    later(s, joint.motorSpeed, joint.motorForce);
 }
 template <typename Stream>
 void visit(Stream& s, PrismaticJoint& joint) {
@@ -275,6 +287,7 @@ void visit(Stream& s, PrismaticJoint& joint) {
     visit(s, joint.limits);
     s.one(joint.motorSpeed);
     s.one(joint.motorForce);
+    later(s, joint.target, joint.hertz, joint.damping);
 }
 template <typename Stream>
 void visit(Stream& s, MotorJoint& joint) {
@@ -293,6 +306,35 @@ void visit(Stream& s, MouseJoint& joint) {
     s.one(joint.force);
     s.one(joint.hertz);
     s.one(joint.damping);
+    later(s, joint.userData);
+}
+template <typename Stream>
+void visit(Stream& s, WheelJoint& joint) {
+    visit(s, joint.ends);
+    visit(s, joint.axis);
+    visit(s, joint.limits);
+    s.one(joint.hertz);
+    s.one(joint.damping);
+    s.one(joint.motorSpeed);
+    s.one(joint.motorTorque);
+}
+template <typename Stream>
+void visit(Stream& s, PulleyJoint& joint) {
+    visit(s, joint.ends);
+    visit(s, joint.groundA);
+    visit(s, joint.groundB);
+    s.one(joint.length);
+    s.one(joint.ratio);
+}
+template <typename Stream>
+void visit(Stream& s, GearJoint& joint) {
+    visit(s, joint.ends);
+    s.one(joint.ratio);
+    visitOptional(s, joint.rack, [&](Vec2& rack) { visit(s, rack); });
+}
+template <typename Stream>
+void visit(Stream& s, FilterJoint& joint) {
+    visit(s, joint.ends);
 }
 
 template <typename Stream>

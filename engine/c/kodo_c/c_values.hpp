@@ -131,6 +131,7 @@ kodo_JointDef toC(const kodo::JointDef& def);
 kodo_Settings toC(const kodo::StepSettings& settings);
 
 kodo_BodyState stateOf(const kodo::BodyView& body);
+kodo_JointState toC(const kodo::JointState& state);
 kodo_BrokenJoint toC(const kodo::BrokenJoint& broken);
 kodo_CollisionRecord toC(const kodo::CollisionRecord& record);
 kodo_QueryHit toC(const kodo::QueryHit& hit);

@@ -109,10 +109,25 @@ public:
     /// Changes the numbers of a joint; its accumulated impulses stay. Throws BadDefinition with
     /// what check(def) says, and for another kind or other bodies.
     void setJoint(JointId id, const JointDef& def);
+    /// Changes some numbers of a joint: `change(joint)` sets them in the RevoluteJoint, or in
+    /// another kind. Throws as setJoint(), and BadDefinition if the joint is of another kind.
+    template <typename Joint, typename Change>
+    void changeJoint(JointId id, Change change) {
+        const Joint* const found = std::get_if<Joint>(&this->joint(id));
+        if (found == nullptr) {
+            throw BadDefinition({"joint", "is of another kind than the one to be changed"});
+        }
+        Joint changed = *found;
+        change(changed);
+        setJoint(id, changed);
+    }
+    /// Angle, length and translation of a joint, their speeds, and its anchors in the world.
+    JointState jointState(JointId id) const;
     /// N, on body b: mean over the last step in which the joint was awake.
     Vec2 jointForce(JointId id) const;
     Real jointTorque(JointId id) const; // N m, likewise
-    std::vector<JointId> joints() const;
+    /// All joints, or those of one body.
+    std::vector<JointId> joints(std::optional<BodyId> id = std::nullopt) const;
     /// Joints that broke in the last step, in the order of ids. Valid until the next step.
     std::span<const BrokenJoint> brokenJoints() const;
 

@@ -19,8 +19,8 @@ from .errors import (BadBodyId, BadDefinition, BadSnapshot, KodoError, NoMemory,
                      WrongUse)
 from .fields import Attractor, Buoyancy, Drag, FieldBody, FieldForce, Gravity, OwnField, Wind
 from .geometry import convex_hull, decompose
-from .joints import (BrokenJoint, DistanceJoint, FixedJoint, MotorJoint, MouseJoint,
-                     PrismaticJoint, RevoluteJoint)
+from .joints import (BrokenJoint, DistanceJoint, FilterJoint, FixedJoint, GearJoint, JointState,
+                     MotorJoint, MouseJoint, PrismaticJoint, PulleyJoint, RevoluteJoint, WheelJoint)
 from .records import CollisionRecord, QueryHit, QueryPoint, RecordPoint, StepStats
 from .settings import (Feature, PropagationSettings, Settings, SoftSettings, accurate, balanced,
                        fast, thesis2006)
@@ -57,11 +57,14 @@ __all__ = [
     "FieldBody",
     "FieldForce",
     "Filter",
+    "FilterJoint",
     "FixedJoint",
     "Flags",
+    "GearJoint",
     "Gravity",
     "Heightmap",
     "JointId",
+    "JointState",
     "KodoError",
     "MassDef",
     "Material",
@@ -78,6 +81,7 @@ __all__ = [
     "Polygon",
     "PrismaticJoint",
     "PropagationSettings",
+    "PulleyJoint",
     "QueryHit",
     "QueryPoint",
     "REAL_CODE",
@@ -90,6 +94,7 @@ __all__ = [
     "StepStats",
     "ThreadPool",
     "Transform",
+    "WheelJoint",
     "Wind",
     "World",
     "Worlds",

@@ -274,6 +274,7 @@ class JointEnds(ctypes.Structure):
         ("breakForce", Real),
         ("breakTorque", Real),
         ("collide", c_bool),
+        ("userData", c_uint64),
     ]
 
 
@@ -285,11 +286,14 @@ class RevoluteJoint(ctypes.Structure):
         ("limits", Range),
         ("motorSpeed", Real),
         ("motorTorque", Real),
+        ("target", Real),
+        ("hertz", Real),
+        ("damping", Real),
     ]
 
 
 class FixedJoint(ctypes.Structure):
-    _fields_ = [("ends", JointEnds), ("reference", Real)]
+    _fields_ = [("ends", JointEnds), ("reference", Real), ("hertz", Real), ("damping", Real)]
 
 
 class DistanceJoint(ctypes.Structure):
@@ -300,6 +304,8 @@ class DistanceJoint(ctypes.Structure):
         ("damping", Real),
         ("hasLimits", c_bool),
         ("limits", Range),
+        ("motorSpeed", Real),
+        ("motorForce", Real),
     ]
 
 
@@ -312,6 +318,9 @@ class PrismaticJoint(ctypes.Structure):
         ("limits", Range),
         ("motorSpeed", Real),
         ("motorForce", Real),
+        ("target", Real),
+        ("hertz", Real),
+        ("damping", Real),
     ]
 
 
@@ -334,7 +343,39 @@ class MouseJoint(ctypes.Structure):
         ("force", Real),
         ("hertz", Real),
         ("damping", Real),
+        ("userData", c_uint64),
     ]
+
+
+class WheelJoint(ctypes.Structure):
+    _fields_ = [
+        ("ends", JointEnds),
+        ("axis", Vec2),
+        ("hasLimits", c_bool),
+        ("limits", Range),
+        ("hertz", Real),
+        ("damping", Real),
+        ("motorSpeed", Real),
+        ("motorTorque", Real),
+    ]
+
+
+class PulleyJoint(ctypes.Structure):
+    _fields_ = [
+        ("ends", JointEnds),
+        ("groundA", Vec2),
+        ("groundB", Vec2),
+        ("length", Real),
+        ("ratio", Real),
+    ]
+
+
+class GearJoint(ctypes.Structure):
+    _fields_ = [("ends", JointEnds), ("ratio", Real), ("hasRack", c_bool), ("rack", Vec2)]
+
+
+class FilterJoint(ctypes.Structure):
+    _fields_ = [("ends", JointEnds)]
 
 
 class _Joints(ctypes.Union):
@@ -345,12 +386,29 @@ class _Joints(ctypes.Union):
         ("prismatic", PrismaticJoint),
         ("motor", MotorJoint),
         ("mouse", MouseJoint),
+        ("wheel", WheelJoint),
+        ("pulley", PulleyJoint),
+        ("gear", GearJoint),
+        ("filter", FilterJoint),
     ]
 
 
 class JointDef(ctypes.Structure):
     _anonymous_ = ("joints",)
     _fields_ = [("head", Head), ("kind", c_int32), ("joints", _Joints)]
+
+
+class JointState(ctypes.Structure):
+    _fields_ = [
+        ("anchorA", Vec2),
+        ("anchorB", Vec2),
+        ("angle", Real),
+        ("angularSpeed", Real),
+        ("length", Real),
+        ("lengthSpeed", Real),
+        ("translation", Real),
+        ("speed", Real),
+    ]
 
 
 class BrokenJoint(ctypes.Structure):

@@ -22,16 +22,21 @@ class _Ends:
     break_force: float = math.inf  #: N, > 0; a larger one, as mean of a step, breaks the joint
     break_torque: float = math.inf  #: N m, > 0; likewise
     collide: bool = False  #: True: the two bodies collide with each other
+    user_data: int = 0  #: for the user
 
 
 @dataclasses.dataclass
 class RevoluteJoint(_Ends):
-    """Hinge: both anchors coincide, and the bodies rotate about them."""
+    """Hinge: both anchors coincide, and the bodies rotate about them. With a spring, or with
+    limits beyond -3 to 3 rad, it counts its turns."""
 
     reference: float = 0.0  #: rad; relative angle of b that counts as 0
-    limits: Optional[Range] = None  #: rad, -3 to 3
+    limits: Optional[Range] = None  #: rad
     motor_speed: float = 0.0  #: rad/s, of b relative to a
     motor_torque: float = 0.0  #: N m, >= 0; 0: no motor
+    target: float = 0.0  #: rad, rest angle of the spring
+    hertz: float = 0.0  #: stiffness, as frequency about the anchor; 0: no spring
+    damping: float = 0.0  #: damping ratio; 1 is critical
 
 
 @dataclasses.dataclass
@@ -39,16 +44,21 @@ class FixedJoint(_Ends):
     """The anchors coincide and the relative angle is constant."""
 
     reference: float = 0.0  #: rad; relative angle of b
+    hertz: float = 0.0  #: stiffness, as frequency of the pair; 0: rigid
+    damping: float = 0.0  #: damping ratio; 1 is critical
 
 
 @dataclasses.dataclass
 class DistanceJoint(_Ends):
-    """A spring, a rod (hertz 0, equal limits) or a rope (hertz 0, limits from 0)."""
+    """A spring, a rod (hertz 0, equal limits), a rope (hertz 0, limits from 0) or a winch
+    (motor)."""
 
     length: float = 1.0  #: m, rest length of the spring
     hertz: float = 0.0  #: stiffness, as frequency of the pair; 0: no spring
     damping: float = 0.0  #: damping ratio; 1 is critical
     limits: Optional[Range] = None  #: m, of the distance
+    motor_speed: float = 0.0  #: m/s, of the distance
+    motor_force: float = 0.0  #: N, >= 0; 0: no motor
 
 
 @dataclasses.dataclass
@@ -60,11 +70,15 @@ class PrismaticJoint(_Ends):
     limits: Optional[Range] = None  #: m, of anchor b along the axis
     motor_speed: float = 0.0  #: m/s
     motor_force: float = 0.0  #: N, >= 0; 0: no motor
+    target: float = 0.0  #: m, rest translation of the spring
+    hertz: float = 0.0  #: stiffness, as frequency of the pair; 0: no spring
+    damping: float = 0.0  #: damping ratio; 1 is critical
 
 
 @dataclasses.dataclass
 class MotorJoint(_Ends):
-    """Drives anchor b to anchor a, and b to an angle relative to a, with limited force."""
+    """Drives anchor b to anchor a, and b to an angle relative to a, with limited force. With
+    hertz 0 it brakes alone, as friction."""
 
     reference: float = 0.0  #: rad; target of the relative angle of b
     force: float = 0.0  #: N, >= 0; the largest
@@ -83,11 +97,62 @@ class MouseJoint:
     force: float = 1.0  #: N, > 0; the largest
     hertz: float = 5.0  #: stiffness, with the body's mass
     damping: float = 0.7  #: damping ratio; 1 is critical
+    user_data: int = 0  #: for the user
+
+
+@dataclasses.dataclass
+class WheelJoint(_Ends):
+    """The axle, anchor b, stays on a line through anchor a that is fixed to a."""
+
+    axis: Vec2 = (0.0, 1.0)  #: unit, in the frame of a's shape
+    limits: Optional[Range] = None  #: m, of the axle along the axis
+    hertz: float = 0.0  #: stiffness, as frequency of the pair; 0: no spring
+    damping: float = 0.0  #: damping ratio; 1 is critical
+    motor_speed: float = 0.0  #: rad/s, of b relative to a
+    motor_torque: float = 0.0  #: N m, >= 0; 0: no motor
+
+
+@dataclasses.dataclass
+class PulleyJoint(_Ends):
+    """A rope from anchor a over two points of the world to anchor b."""
+
+    ground_a: Vec2 = (0.0, 0.0)  #: m, world
+    ground_b: Vec2 = (0.0, 0.0)  #: m, world
+    length: float = 1.0  #: m, of the rope: that to a + ratio times that to b
+    ratio: float = 1.0
+
+
+@dataclasses.dataclass
+class GearJoint(_Ends):
+    """The speed of b is `ratio` times that of a, as seen from the line between the anchors. With a
+    rack, which is fixed to a, b rolls along it by `ratio` (m) per rad."""
+
+    ratio: float = -1.0  #: not 0; negative for teeth, positive for a belt
+    rack: Optional[Vec2] = None  #: unit, in the frame of a's shape
+
+
+@dataclasses.dataclass
+class FilterJoint(_Ends):
+    """The two bodies do not collide with each other."""
 
 
 Joint = Union[
-    RevoluteJoint, FixedJoint, DistanceJoint, PrismaticJoint, MotorJoint, MouseJoint
+    RevoluteJoint, FixedJoint, DistanceJoint, PrismaticJoint, MotorJoint, MouseJoint,
+    WheelJoint, PulleyJoint, GearJoint, FilterJoint
 ]
+
+
+class JointState(NamedTuple):
+    """Where a joint is, and how it moves: b relative to a."""
+
+    anchor_a: Vec2  #: m, world; of a MouseJoint: the target
+    anchor_b: Vec2  #: m, world
+    angle: float  #: rad, from the reference; -pi to pi, or counted
+    angular_speed: float  #: rad/s
+    length: float  #: m, between the anchors; of a PulleyJoint: of the taut rope
+    length_speed: float  #: m/s
+    translation: float  #: m, along the axis of a PrismaticJoint or WheelJoint; else 0
+    speed: float  #: m/s, likewise
 
 
 class BrokenJoint(NamedTuple):
@@ -108,6 +173,10 @@ _KINDS: List[Tuple[Type[Any], str]] = [
     (PrismaticJoint, "prismatic"),
     (MotorJoint, "motor"),
     (MouseJoint, "mouse"),
+    (WheelJoint, "wheel"),
+    (PulleyJoint, "pulley"),
+    (GearJoint, "gear"),
+    (FilterJoint, "filter"),
 ]
 _ENDS = [field.name for field in dataclasses.fields(_Ends)]
 
@@ -120,6 +189,8 @@ def _name_in_c(name: str) -> str:
 def _write(struct: Any, name: str, value: Any) -> None:
     if name == "limits":
         struct.hasLimits, struct.limits = value is not None, to_range(value)
+    elif name == "rack":
+        struct.hasRack, struct.rack = value is not None, c.Vec2(*(value or (0.0, 0.0)))
     elif isinstance(value, BodyId):
         setattr(struct, name, to_body_id(value))
     elif isinstance(value, tuple):
@@ -132,6 +203,8 @@ def _read(struct: Any, name: str) -> Any:
     value = getattr(struct, _name_in_c(name))
     if name == "limits":
         return (value.lower, value.upper) if struct.hasLimits else None
+    if name == "rack" and not struct.hasRack:
+        return None
     if isinstance(value, c.BodyId):
         return from_body_id(value)
     return (value.x, value.y) if isinstance(value, c.Vec2) else value

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import dataclasses
 from ctypes import byref, c_bool, c_size_t, c_uint64
 from typing import Any, Iterator, List, Optional, Sequence, Tuple, Type, TypeVar, Union
 
@@ -12,7 +13,7 @@ from ._library import Real, call, library
 from .body import Body
 from .buffers import readable, writable
 from .fields import Field, OwnField
-from .joints import BrokenJoint, Joint, from_joint, to_joint
+from .joints import BrokenJoint, Joint, JointState, from_joint, to_joint
 from .records import CollisionRecord, QueryHit, QueryPoint, StepStats, from_hit, from_record
 from .settings import Settings, from_settings, to_settings
 from .shapes import BuiltShape, Circle, MassDef, Shape, to_mass
@@ -245,6 +246,10 @@ class World:
     def joints(self) -> List[JointId]:
         return [from_joint_id(each) for each in self._list("kodo_joints", c.JointId)]
 
+    def joints_of(self, body: BodyLike) -> List[JointId]:
+        """The joints of one body."""
+        return [from_joint_id(each) for each in self._list("kodo_jointsOf", c.JointId, id_of(body))]
+
     def joint(self, joint: JointId) -> Joint:
         """A copy of the numbers of a joint; set_joint() writes them back."""
         made = c.JointDef()
@@ -254,6 +259,18 @@ class World:
     def set_joint(self, joint: JointId, numbers: Joint) -> None:
         """Changes the numbers of a joint; kind and bodies must stay."""
         call("kodo_setJoint", self.handle, to_joint_id(joint), byref(to_joint(numbers)))
+
+    def change_joint(self, joint: JointId, **numbers: Any) -> None:
+        """Changes some numbers of a joint: `change_joint(hinge, motor_speed=3)`."""
+        self.set_joint(joint, dataclasses.replace(self.joint(joint), **numbers))
+
+    def joint_state(self, joint: JointId) -> JointState:
+        """Angle, length and translation of a joint, their speeds, and its anchors in the world."""
+        state = c.JointState()
+        call("kodo_jointState", self.handle, to_joint_id(joint), byref(state))
+        return JointState(from_vec2(state.anchorA), from_vec2(state.anchorB), state.angle,
+                          state.angularSpeed, state.length, state.lengthSpeed, state.translation,
+                          state.speed)
 
     def joint_load(self, joint: JointId) -> Tuple[Vec2, float]:
         """Force (N) and torque (N m) on body b: mean over the last step."""

@@ -32,8 +32,12 @@ Real violation(const JointDef& def, Vec2 gap, Rot rotationA) {
     if (const auto* slider = std::get_if<PrismaticJoint>(&def)) {
         return std::abs(dot(perp(rotationA * slider->axis), gap));
     }
+    if (const auto* wheel = std::get_if<WheelJoint>(&def)) {
+        return std::abs(dot(perp(rotationA * wheel->axis), gap));
+    }
+    const auto* fixed = std::get_if<FixedJoint>(&def);
     const bool rigid =
-        std::holds_alternative<RevoluteJoint>(def) || std::holds_alternative<FixedJoint>(def);
+        std::holds_alternative<RevoluteJoint>(def) || (fixed != nullptr && fixed->hertz == 0);
     return rigid ? length(gap) : 0;
 }
 

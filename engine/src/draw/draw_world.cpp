@@ -69,17 +69,38 @@ public:
 
     void operator()(const PrismaticJoint& joint) const {
         target_.point(arms(joint.ends).b, kJoint);
-        const Transform frame = world_[joint.ends.a].transform();
-        const Real shown = world_.tolerances().unit() / 2; // of an axis without limits
-        const Range range = joint.limits.value_or(Range{-shown, shown});
-        const Vec2 lower = frame * (joint.ends.anchorA + range.lower * joint.axis);
-        const Vec2 upper = frame * (joint.ends.anchorA + range.upper * joint.axis);
-        target_.line(lower, upper, kJoint);
-        if (joint.limits) {
-            const Vec2 bar = 2 * markOf(target_) * perp(frame.rotation * joint.axis);
-            target_.line(lower - bar, lower + bar, kJoint);
-            target_.line(upper - bar, upper + bar, kJoint);
+        slider(joint);
+    }
+
+    void operator()(const WheelJoint& joint) const {
+        const auto [a, b] = arms(joint.ends);
+        slider(joint);
+        if (joint.hertz > 0) {
+            target_.spring(a, b, kJoint);
         }
+        target_.circle(b, markOf(target_), kJoint);
+    }
+
+    void operator()(const PulleyJoint& joint) const {
+        const auto [a, b] = arms(joint.ends);
+        target_.line(a, joint.groundA, kJoint);
+        target_.line(joint.groundA, joint.groundB, kJoint);
+        target_.line(joint.groundB, b, kJoint);
+        target_.circle(joint.groundA, markOf(target_), kJoint);
+        target_.circle(joint.groundB, markOf(target_), kJoint);
+    }
+
+    void operator()(const GearJoint& joint) const {
+        const auto [a, b] = connect(joint.ends);
+        target_.circle(b, 2 * markOf(target_), kJoint);
+        if (!joint.rack) {
+            target_.circle(a, 2 * markOf(target_), kJoint);
+        }
+    }
+
+    void operator()(const FilterJoint& joint) const {
+        const auto [a, b] = arms(joint.ends);
+        target_.line(a, b, kArm);
     }
 
     void operator()(const MotorJoint& joint) const {
@@ -112,6 +133,22 @@ private:
             return place;
         };
         return {arm(ends.a, ends.anchorA), arm(ends.b, ends.anchorB)};
+    }
+
+    /// The line of a slider or an axle, with bars at its limits.
+    template <typename Joint>
+    void slider(const Joint& joint) const {
+        const Transform frame = world_[joint.ends.a].transform();
+        const Real shown = world_.tolerances().unit() / 2; // of an axis without limits
+        const Range range = joint.limits.value_or(Range{-shown, shown});
+        const Vec2 lower = frame * (joint.ends.anchorA + range.lower * joint.axis);
+        const Vec2 upper = frame * (joint.ends.anchorA + range.upper * joint.axis);
+        target_.line(lower, upper, kJoint);
+        if (joint.limits) {
+            const Vec2 bar = 2 * markOf(target_) * perp(frame.rotation * joint.axis);
+            target_.line(lower - bar, lower + bar, kJoint);
+            target_.line(upper - bar, upper + bar, kJoint);
+        }
     }
 
     /// The anchors, with a line between them.

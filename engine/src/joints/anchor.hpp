@@ -16,6 +16,13 @@ inline Vec2 armOf(const Bodies& bodies, std::uint32_t body, Rot rotation, Vec2 a
     return rotation * (anchor - bodies.geometry(body).mass.center);
 }
 
+/// Inverse inertia (1/(kg m^2)) of a body about an anchor; about its centre of mass if it can only
+/// rotate.
+inline Real inverseAbout(const BodyVelocity& body, Vec2 arm) {
+    const Real sum = body.invMass + body.invInertia * lengthSquared(arm);
+    return body.invMass > 0 ? body.invInertia * (body.invMass / sum) : body.invInertia;
+}
+
 /// Vector (m) from the end of the tangent of an anchor to the end of its arc, if the body rotates
 /// by `angle` (rad): R(angle) arm - arm - angle perp(arm). Small angles use the Taylor series,
 /// where the difference would be rounding error. Beyond half a circle a substep has no meaning.

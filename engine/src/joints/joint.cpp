@@ -95,6 +95,13 @@ std::optional<Problem> checkReference(Real reference) {
     return checkRange("reference", reference, -kAngle, kAngle, "rad");
 }
 
+/// Stiffness 0 means no spring.
+template <typename Joint>
+std::optional<Problem> checkSpring(const Joint& joint) {
+    return checkFields(
+        {{"hertz", joint.hertz, 0, Real(1e4), "Hz"}, {"damping", joint.damping, 0, Real(1e4), ""}});
+}
+
 std::optional<Problem> checkKind(const RevoluteJoint& joint, Real) {
     if (auto problem = checkReference(joint.reference)) {
         return problem;
@@ -104,28 +111,33 @@ std::optional<Problem> checkKind(const RevoluteJoint& joint, Real) {
                          {"motorTorque", joint.motorTorque, 0, kNoLimit, "N m"}})) {
         return problem;
     }
-    auto problem = checkLimits(joint.limits, -3, 3, "rad");
-    if (problem && isFinite(Vec2{joint.limits->lower, joint.limits->upper}) &&
-        joint.limits->lower <= joint.limits->upper) {
-        problem->reason += ": 3 rad are 172 degrees; without limits the joint turns freely";
+    if (auto problem = checkSpring(joint)) {
+        return problem;
     }
-    return problem;
+    if (auto problem = checkRange("target", joint.target, -kAngle, kAngle, "rad")) {
+        return problem;
+    }
+    return checkLimits(joint.limits, -kAngle, kAngle, "rad");
 }
 
 std::optional<Problem> checkKind(const FixedJoint& joint, Real) {
-    return checkReference(joint.reference);
+    auto problem = checkReference(joint.reference);
+    return problem ? problem : checkSpring(joint);
 }
 
 std::optional<Problem> checkKind(const DistanceJoint& joint, Real unit) {
+    const Real speed = kMaxSpeed * unit;
     if (auto problem = checkFields({{"length", joint.length, 0, kMaxCoordinate * unit, "m"},
                                     {"hertz", joint.hertz, 0, Real(1e4), "Hz"},
-                                    {"damping", joint.damping, 0, Real(1e4), ""}})) {
+                                    {"damping", joint.damping, 0, Real(1e4), ""},
+                                    {"motorSpeed", joint.motorSpeed, -speed, speed, "m/s"},
+                                    {"motorForce", joint.motorForce, 0, kNoLimit, "N"}})) {
         return problem;
     }
-    if (joint.hertz == 0 && !joint.limits) {
+    if (joint.hertz == 0 && !joint.limits && joint.motorForce == 0) {
         return Problem{"hertz", "is 0 and there are no limits, so the joint would do nothing: set "
-                                "hertz for a spring, equal limits for a rod, or limits from 0 to "
-                                "the length of a rope"};
+                                "hertz for a spring, equal limits for a rod, limits from 0 to "
+                                "the length of a rope, or motorForce for a winch"};
     }
     return checkLimits(joint.limits, 0, kMaxCoordinate * unit, "m");
 }
@@ -142,17 +154,69 @@ std::optional<Problem> checkKind(const PrismaticJoint& joint, Real unit) {
                                     {"motorForce", joint.motorForce, 0, kNoLimit, "N"}})) {
         return problem;
     }
+    if (auto problem = checkSpring(joint)) {
+        return problem;
+    }
+    const Real most = kMaxCoordinate * unit;
+    if (auto problem = checkRange("target", joint.target, -most, most, "m")) {
+        return problem;
+    }
+    return checkLimits(joint.limits, -most, most, "m");
+}
+
+std::optional<Problem> checkKind(const WheelJoint& joint, Real unit) {
+    if (auto problem = checkUnit("axis", joint.axis)) {
+        return problem;
+    }
+    if (auto problem =
+            checkFields({{"motorSpeed", joint.motorSpeed, -kMaxSpeed, kMaxSpeed, "rad/s"},
+                         {"motorTorque", joint.motorTorque, 0, kNoLimit, "N m"}})) {
+        return problem;
+    }
+    if (auto problem = checkSpring(joint)) {
+        return problem;
+    }
     return checkLimits(joint.limits, -kMaxCoordinate * unit, kMaxCoordinate * unit, "m");
+}
+
+std::optional<Problem> checkKind(const PulleyJoint& joint, Real unit) {
+    if (auto problem = checkPosition("groundA", joint.groundA, unit)) {
+        return problem;
+    }
+    if (auto problem = checkPosition("groundB", joint.groundB, unit)) {
+        return problem;
+    }
+    return checkFields({{"length", joint.length, 0, kMaxCoordinate * unit, "m"},
+                        {"ratio", joint.ratio, Real(1e-3), Real(1e3), ""}});
+}
+
+std::optional<Problem> checkKind(const GearJoint& joint, Real) {
+    if (joint.ratio == 0) {
+        return Problem{"ratio", "is 0, so the gear would not turn: give the speed of b per speed "
+                                "of a, below 0 for teeth and above 0 for a belt"};
+    }
+    if (auto problem = checkRange("ratio", joint.ratio, Real(-1e3), Real(1e3), "")) {
+        return problem;
+    }
+    return joint.rack ? checkUnit("rack", *joint.rack) : std::nullopt;
+}
+
+std::optional<Problem> checkKind(const FilterJoint& joint, Real) {
+    if (joint.ends.collide) {
+        return Problem{"ends.collide", "is true, so the joint would do nothing"};
+    }
+    return std::nullopt;
 }
 
 std::optional<Problem> checkKind(const MotorJoint& joint, Real) {
     if (auto problem = checkReference(joint.reference)) {
         return problem;
     }
-    if (auto problem = checkFields({{"force", joint.force, 0, kNoLimit, "N"},
-                                    {"torque", joint.torque, 0, kNoLimit, "N m"},
-                                    {"hertz", joint.hertz, Real(1e-3), Real(1e4), "Hz"},
-                                    {"damping", joint.damping, 0, Real(1e4), ""}})) {
+    if (auto problem =
+            checkFields({{"force", joint.force, 0, kNoLimit, "N"},
+                         {"torque", joint.torque, 0, kNoLimit, "N m"},
+                         {"hertz", joint.hertz, joint.hertz == 0 ? 0 : Real(1e-3), Real(1e4), "Hz"},
+                         {"damping", joint.damping, 0, Real(1e4), ""}})) {
         return problem;
     }
     if (joint.force == 0 && joint.torque == 0) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "joints/joint_frame.hpp"
 #include "joints/joint_set.hpp"
 
 #include <algorithm>
@@ -8,71 +9,6 @@
 
 namespace kodo {
 inline namespace KODO_PRECISION {
-
-/// True for a body that impulses turn, but do not move.
-inline bool turnsOnly(const BodyVelocity& motion) {
-    return motion.invMass == 0 && motion.invInertia > 0;
-}
-
-/// The two bodies and anchors of a joint, current within the step, in world axes.
-struct JointFrame {
-    BodyVelocity& a;
-    BodyVelocity& b;
-    Vec2 armA; // m, from a's centre of mass to its anchor
-    Vec2 armB;
-    Vec2 gap; // m, anchor b minus anchor a
-    Rot rotationA;
-    Rot rotationB;
-
-    /// Arm of a (m) to anchor b. Both impulses of a joint act at anchor b, so that they conserve
-    /// angular momentum however wide the gap is. The gap is then measured in the frame of a.
-    Vec2 commonArm() const { return armA + gap; }
-
-    /// Angle of b relative to a (rad), minus a reference; -pi to pi.
-    Real angle(Real reference) const {
-        return (rotationB * rotationA.inverse() * Rot::fromAngle(-reference)).angle();
-    }
-};
-
-/// Joints of a body that can only rotate are solved exactly, one at a time.
-inline ErrorRemoval errorsOf(const JointFrame& frame, const JointPass& pass) {
-    return turnsOnly(frame.a) || turnsOnly(frame.b) ? ErrorRemoval::ByVelocity : pass.errors;
-}
-
-/// Of the equality constraints that are solved one by one.
-inline Softness softnessOf(const JointFrame& frame, const JointPass& pass) {
-    return errorsOf(frame, pass) == ErrorRemoval::ByVelocity ? pass.stiff : Softness{};
-}
-
-/// Anchors move on circles about the centres of mass, but the velocity constraint is tangential.
-/// The difference widens the gap within the substep and is removed in full, or left to the
-/// displacements: as a velocity it conserves the energy of loops, but what the passes leave of it
-/// adds energy, and constraints that exclude each other would add up impulses without end. The
-/// present gap, as rotated with body a, is removed at the rate of the stiffness; at most
-/// `mostError` (m) of it counts.
-inline PointConstraint anchorsOf(const JointFrame& frame, const JointPass& pass, Real mostError) {
-    const Real angleA = pass.h * frame.a.angularVelocity;
-    Vec2 gap = frame.gap + angleA * perp(frame.gap) + fromTangentToArc(angleA, frame.gap);
-    const Real size = length(gap);
-    if (size > mostError) {
-        gap = (mostError / size) * gap;
-    }
-    Vec2 arc;
-    if (pass.exact || errorsOf(frame, pass) == ErrorRemoval::ByVelocity) {
-        arc = fromTangentToArc(pass.h * frame.b.angularVelocity, frame.armB) -
-              fromTangentToArc(angleA, frame.commonArm());
-    }
-    const Softness rigid{pass.stiff.biasRate, 1, 0};
-    return {frame.commonArm(), frame.armB, gap, pass.exact ? rigid : softnessOf(frame, pass),
-            (1 / pass.h) * arc};
-}
-
-/// How a constraint is solved in the relax pass.
-enum class Relax : std::uint8_t {
-    Rigid, // without its error, so that the bias leaves no velocity
-    Same,  // with its error: limits that are not reached yet, and motor and mouse joints
-    Done,  // not at all: the force of a spring has acted in full
-};
 
 /// Visits the constraints of a joint: visit(PointConstraint, Vec2& impulse, Relax) or
 /// visit(AxisConstraint, Real& impulse, Relax).
@@ -85,8 +21,18 @@ public:
     void operator()(const RevoluteJoint& joint) {
         const PointConstraint point = anchors();
         motor(angularBeside(point), 0, joint.motorSpeed, joint.motorTorque);
+        const Real angle = !joint.limits && joint.hertz == 0 ? Real(0)
+                           : countsTurns(joint)
+                               ? frame_.countedAngle(joint.reference, joint_.counted)
+                               : frame_.angle(joint.reference);
+        if (joint.hertz > 0) {
+            const AxisConstraint turn = angularBeside(point);
+            spring(turn, 3, angle - joint.target,
+                   springOf(joint, turn.give(frame_.a, frame_.b, pass_.biased),
+                            inverseAbout(frame_.a, frame_.armA) +
+                                inverseAbout(frame_.b, frame_.armB)));
+        }
         if (joint.limits) {
-            const Real angle = frame_.angle(joint.reference);
             limit(angularBeside(point), 1, angle - joint.limits->lower);
             limit(reversed(angularBeside(point)), 2, joint.limits->upper - angle);
         }
@@ -95,6 +41,15 @@ public:
 
     void operator()(const FixedJoint& joint) {
         const Real error = frame_.angle(joint.reference);
+        if (joint.hertz > 0) {
+            const Real sum = frame_.a.invInertia + frame_.b.invInertia;
+            spring(angular(), 0, error, springOf(joint, sum, sum));
+            for (const bool up : {false, true}) { // equally stiff in all directions
+                const AxisConstraint row = linear(up ? Vec2{0, 1} : Vec2{1, 0}, frame_.gap);
+                spring(row, up ? 2 : 1, up ? frame_.gap.y : frame_.gap.x, springOf(joint, row));
+            }
+            return;
+        }
         PointConstraint point = anchors();
         if (!turnsOnly(frame_.a) && !turnsOnly(frame_.b)) {
             visit_(fixed(angularBeside(point), error), joint_.axes[0], Relax::Rigid);
@@ -109,14 +64,11 @@ public:
 
     void operator()(const DistanceJoint& joint) {
         const Real distance = length(frame_.gap);
-        AxisConstraint along = linear(distance > 0 ? frame_.gap / distance : Vec2{0, 1}, {});
+        const AxisConstraint along = linear(distance > 0 ? frame_.gap / distance : Vec2{0, 1}, {});
         if (joint.hertz > 0) {
-            along.error = distance - joint.length;
-            along.softness = springOf(joint, along);
-            const Real most = mostError(along.softness);
-            along.error = std::clamp(along.error, -most, most);
-            visit_(along, joint_.axes[0], Relax::Done);
+            spring(along, 0, distance - joint.length, springOf(joint, along));
         }
+        motor(along, 3, joint.motorSpeed, joint.motorForce);
         if (joint.limits) {
             limit(along, 1, distance - joint.limits->lower);
             limit(reversed(along), 2, joint.limits->upper - distance);
@@ -127,8 +79,11 @@ public:
         const Vec2 axis = frame_.rotationA * joint.axis;
         const AxisConstraint along = linear(axis, frame_.gap);
         motor(along, 2, joint.motorSpeed, joint.motorForce);
+        const Real place = dot(axis, frame_.gap);
+        if (joint.hertz > 0) {
+            spring(along, 5, place - joint.target, springOf(joint, along));
+        }
         if (joint.limits) {
-            const Real place = dot(axis, frame_.gap);
             limit(along, 3, place - joint.limits->lower);
             limit(reversed(along), 4, joint.limits->upper - place);
         }
@@ -140,7 +95,8 @@ public:
     }
 
     void operator()(const MotorJoint& joint) {
-        const Softness soft = Softness::from(joint.hertz, joint.damping, pass_.h);
+        const Softness soft = joint.hertz > 0 ? Softness::from(joint.hertz, joint.damping, pass_.h)
+                                              : Softness{}; // brakes alone
         if (joint.force > 0) {
             visit_(
                 PointConstraint{
@@ -166,6 +122,33 @@ public:
                joint_.point, Relax::Same);
     }
 
+    void operator()(const WheelJoint& joint) {
+        const Vec2 axis = frame_.rotationA * joint.axis;
+        const AxisConstraint along = linear(axis, frame_.gap);
+        const Real place = dot(axis, frame_.gap);
+        motor(angular(), 1, joint.motorSpeed, joint.motorTorque);
+        if (joint.hertz > 0) {
+            spring(along, 2, place, springOf(joint, along));
+        }
+        if (joint.limits) {
+            limit(along, 3, place - joint.limits->lower);
+            limit(reversed(along), 4, joint.limits->upper - place);
+        }
+        visit_(fixed(linear(perp(axis), frame_.gap), dot(perp(axis), frame_.gap)), joint_.axes[0],
+               Relax::Rigid);
+    }
+
+    void operator()(const PulleyJoint& joint) {
+        limit(ropeOf(joint, frame_), 0, joint.length - lengthOf(joint, frame_));
+    }
+
+    void operator()(const GearJoint& joint) {
+        const Real slip = slipOf(joint, frame_, joint_.counted);
+        visit_(fixed(teethOf(joint, frame_), slip), joint_.axes[0], Relax::Rigid);
+    }
+
+    void operator()(const FilterJoint&) {}
+
 private:
     PointConstraint anchors() const { return anchorsOf(frame_, pass_, mostError(pass_.stiff)); }
 
@@ -177,7 +160,8 @@ private:
     /// Stiffness and damping of a spring are those of the reduced mass of its bodies, whatever the
     /// levers of its anchors are: a stiffness that varies with the direction would add energy.
     /// Levers raise the frequency and the damping ratio along its axis by the same factor.
-    Softness springOf(const DistanceJoint& joint, const AxisConstraint& along) const {
+    template <typename Kind>
+    Softness springOf(const Kind& joint, const AxisConstraint& along) const {
         const Real free = frame_.a.invMass + frame_.b.invMass;
         // of bodies that can only rotate: at the anchors, across their arms
         const Real mass = free > 0 ? free
@@ -185,12 +169,22 @@ private:
                                          frame_.b.invInertia * lengthSquared(frame_.armB);
         const Real give = free + frame_.a.invInertia * along.leverA * along.leverA +
                           frame_.b.invInertia * along.leverB * along.leverB;
+        return springOf(joint, give, mass);
+    }
+    /// `give`: relative velocity per impulse of the row; `mass`: the same of what `hertz` is about.
+    template <typename Kind>
+    Softness springOf(const Kind& joint, Real give, Real mass) const {
         const Real factor = mass > 0 ? std::sqrt(give / mass) : Real(1);
         return Softness::spring(factor * joint.hertz, factor * joint.damping, pass_.h,
                                 joint_.springBound);
     }
 
-    AxisConstraint angular() const { return {.axis = {}, .leverA = 1, .leverB = 1}; }
+    void spring(AxisConstraint axis, std::size_t slot, Real error, const Softness& softness) {
+        axis.softness = softness;
+        const Real most = mostError(softness);
+        axis.error = std::clamp(error, -most, most);
+        visit_(axis, joint_.axes[slot], Relax::Done);
+    }
 
     /// An angular constraint that accounts for the point solved right after it.
     AxisConstraint angularBeside(const PointConstraint& point) const {
@@ -199,12 +193,9 @@ private:
         return axis;
     }
 
-    /// Constraint along an axis fixed to a; `gap` (m) is anchor b minus anchor a.
-    AxisConstraint linear(Vec2 axis, Vec2 gap) const {
-        return {.axis = axis,
-                .leverA = cross(frame_.armA + gap, axis),
-                .leverB = cross(frame_.armB, axis)};
-    }
+    AxisConstraint linear(Vec2 axis, Vec2 gap) const { return linearAlong(axis, gap, frame_); }
+
+    static AxisConstraint angular() { return {.axis = {}, .leverA = 1, .leverB = 1}; }
 
     static AxisConstraint reversed(AxisConstraint axis) {
         axis.axis = -axis.axis;

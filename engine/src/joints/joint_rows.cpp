@@ -131,13 +131,14 @@ void AxisConstraint::addToSums(Real impulse, Vec2& linear, Real& angular) const 
         angular += leverB * impulse;
     } else {
         linear += impulse * axis;
+        angular += couple * impulse;
     }
 }
 
 void AxisConstraint::apply(BodyVelocity& a, BodyVelocity& b, Real impulse) const {
     // In the order of the products as written; see applyImpulse() for locked bodies.
     if (!a.locked()) {
-        a.velocity -= a.invMass * impulse * axis;
+        a.velocity -= a.invMass * impulse * axisA.value_or(axis);
         a.angularVelocity -= a.invInertia * leverA * impulse;
     }
     if (!b.locked()) {
@@ -152,34 +153,42 @@ void AxisConstraint::solve(BodyVelocity& a, BodyVelocity& b, Real& impulse, bool
     apply(a, b, change);
 }
 
-Real AxisConstraint::missing(const BodyVelocity& a, const BodyVelocity& b, Real impulse,
-                             bool biased) const {
-    Real k = (a.invMass + b.invMass) * dot(axis, axis) + a.invInertia * leverA * leverA +
-             b.invInertia * leverB * leverB;
-    if (!(k > 0)) {
-        return 0;
-    }
-    const Softness soft = biased ? softness : Softness{};
-    Real now = dot(axis, b.velocity - a.velocity) + leverB * b.angularVelocity -
-               leverA * a.angularVelocity - speed + soft.biasRate * error;
+Real AxisConstraint::give(const BodyVelocity& a, const BodyVelocity& b, bool biased) const {
+    const Real mass = axisA ? a.invMass * lengthSquared(*axisA) + b.invMass * lengthSquared(axis)
+                            : (a.invMass + b.invMass) * dot(axis, axis);
+    Real k = mass + a.invInertia * leverA * leverA + b.invInertia * leverB * leverB;
     if (angle.constraint != nullptr) {
         const Real sum = a.invInertia + b.invInertia;
         const Real lever = leverA - leverB;
         const Real together = sum > 0 ? a.invInertia * b.invInertia / sum * lever * lever : Real(0);
-        const Real mass = (a.invMass + b.invMass) * dot(axis, axis);
         const Real turned = angle.removed(biased);
         k = mass + (1 - turned) * (k - mass) + turned * together;
+    }
+    if (const PointConstraint* point = beside.point) {
+        const Real fraction = beside.biased ? point->softness.massScale : 1;
+        k = (1 - fraction) * k + fraction * point->hinged(a, b);
+    }
+    return k;
+}
+
+Real AxisConstraint::missing(const BodyVelocity& a, const BodyVelocity& b, Real impulse,
+                             bool biased) const {
+    const Softness soft = biased ? softness : Softness{};
+    const Real along = axisA ? dot(axis, b.velocity) - dot(*axisA, a.velocity)
+                             : dot(axis, b.velocity - a.velocity);
+    Real now = along + leverB * b.angularVelocity - leverA * a.angularVelocity - speed +
+               soft.biasRate * error;
+    if (angle.constraint != nullptr) {
         now += angle.missing(a, b, biased) * (a.invInertia * leverA + b.invInertia * leverB);
     }
     if (const PointConstraint* point = beside.point) {
         const Vec2 u =
             leverA * a.invInertia * perp(point->armA) + leverB * b.invInertia * perp(point->armB);
         now += dot(u, point->missing(a, b, beside.impulse, beside.biased));
-        const Real fraction = beside.biased ? point->softness.massScale : 1;
-        k = (1 - fraction) * k + fraction * point->hinged(a, b);
     }
+    const Real k = give(a, b, biased);
     if (!(k > 0)) {
-        return 0; // both bodies can only rotate: the other constraint leaves no motion free
+        return 0; // both bodies are immovable, or the other constraint leaves no motion free
     }
     const Real wanted = impulse - soft.massScale * now / k - soft.impulseScale * impulse;
     return std::clamp(wanted, bounds.lower, bounds.upper) - impulse;

@@ -7,6 +7,7 @@
 #include "math/softness.hpp"
 
 #include <limits>
+#include <optional>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
@@ -84,7 +85,7 @@ struct CoupledPoint {
 };
 
 /// Constraint along one axis: J = (-axis, -leverA, axis, leverB). A zero axis with levers of 1 is
-/// an angular constraint.
+/// an angular constraint. The axis of a rope over pulleys is another one at a.
 struct AxisConstraint {
     Vec2 axis;
     Real leverA = 0;
@@ -92,10 +93,14 @@ struct AxisConstraint {
     Real error = 0; // m or rad
     Real speed = 0; // m/s or rad/s, target
     Softness softness{};
-    Range bounds = kUnbounded; // N s or N m s
-    CoupledPoint beside{};     // of an angular constraint only
-    CoupledAngle angle{};      // of a linear constraint only
+    Range bounds = kUnbounded;   // N s or N m s
+    CoupledPoint beside{};       // of an angular constraint only
+    CoupledAngle angle{};        // of a linear constraint only
+    std::optional<Vec2> axisA{}; // of a, if it is not `axis`
+    Real couple = 0; // N m s on b about its anchor, per impulse, beside the force along the axis
 
+    /// Relative velocity per impulse, with the rows that are solved beside.
+    Real give(const BodyVelocity& a, const BodyVelocity& b, bool biased) const;
     void solve(BodyVelocity& a, BodyVelocity& b, Real& impulse, bool biased) const;
     /// The impulse that solve would add.
     Real missing(const BodyVelocity& a, const BodyVelocity& b, Real impulse, bool biased) const;

@@ -18,7 +18,7 @@ bool idle(const Bodies& bodies, const JointDef& def) {
     return !bodies.active(firstBody(def).index) && !bodies.active(secondBody(def).index);
 }
 
-/// Maps anchor, axis and reference angle from the frame of the welded body to that of `into`.
+/// Maps anchor, axis, rack and reference angle from the frame of the welded body to that of `into`.
 template <typename Kind>
 void transferEnd(Kind& kind, bool isFirst, BodyId into, const Transform& place) {
     if constexpr (requires { kind.ends; }) {
@@ -30,6 +30,9 @@ void transferEnd(Kind& kind, bool isFirst, BodyId into, const Transform& place) 
         }
         if constexpr (requires { kind.axis; }) {
             kind.axis = isFirst ? place.rotation * kind.axis : kind.axis;
+        }
+        if constexpr (requires { kind.rack; }) {
+            kind.rack = isFirst && kind.rack ? place.rotation * *kind.rack : kind.rack;
         }
     } else {
         kind.body = into;
@@ -55,7 +58,8 @@ bool mayBeHeld(const Bodies& bodies, const JointDef& def) {
     const BodyVelocity& b = bodies.motion[secondBody(def).index];
     const auto half = [](const BodyVelocity& m) { return (m.invMass == 0) != (m.invInertia == 0); };
     const bool revolute = std::holds_alternative<RevoluteJoint>(def);
-    const bool rigid = revolute || std::holds_alternative<FixedJoint>(def) ||
+    const auto* const fixed = std::get_if<FixedJoint>(&def);
+    const bool rigid = revolute || (fixed != nullptr && fixed->hertz == 0) ||
                        std::holds_alternative<PrismaticJoint>(def);
     return rigid && (a.invMass > 0 || b.invMass > 0) && !turnsOnly(a) && !turnsOnly(b) &&
            (revolute || (!half(a) && !half(b)));
@@ -123,8 +127,13 @@ void JointSet::notePairChange(const JointDef& def) {
 
 void JointSet::setDef(JointId id, const JointDef& def) {
     unlist(id.index);
-    joints_[id.index].def = def;
-    joints_[id.index].mostBias = Joint::kNoBound;
+    Joint& joint = joints_[id.index];
+    if (const auto* revolute = std::get_if<RevoluteJoint>(&def)) {
+        const Real before = std::get<RevoluteJoint>(joint.def).reference;
+        joint.counted = countsTurns(*revolute) ? joint.counted + before - revolute->reference : 0;
+    }
+    joint.def = def;
+    joint.mostBias = Joint::kNoBound;
     list(id.index);
     awakeStale_ = true;
 }
@@ -157,16 +166,6 @@ void JointSet::transfer(BodyId part, BodyId into, const Transform& place) {
         }
     }
     awakeStale_ = true;
-}
-
-std::vector<JointId> JointSet::ids() const {
-    std::vector<JointId> all;
-    for (std::uint32_t index = 0; index < joints_.size(); ++index) {
-        if (ids_.aliveAt(index)) {
-            all.push_back(idAt(index));
-        }
-    }
-    return all;
 }
 
 void JointSet::refreshLists() {
@@ -255,10 +254,7 @@ void JointSet::beginGroup(Bodies& bodies, DirectSolve direct, std::span<const st
                 bodies.motion[body].angularVelocity = 0; // it would act as a motor
             }
         }
-        if (const auto* spring = std::get_if<DistanceJoint>(&def);
-            spring != nullptr && spring->hertz > 0) {
-            springs_.add(bodies, index, *spring);
-        }
+        springs_.add(bodies, index, def);
         if (mayBeHeld(bodies, def)) {
             treeCandidates_.push_back(
                 {index, a, b, direct == DirectSolve::EveryTree || !isSoft(bodies, def)});
@@ -282,7 +278,7 @@ void JointSet::listHinges(const Bodies& bodies) {
         HeldRows* const rows = trees_.rowsOf(edge.joint);
         const auto* const revolute = std::get_if<RevoluteJoint>(&joints_[edge.joint].def);
         if (rows == nullptr || revolute == nullptr || revolute->motorTorque > 0 ||
-            revolute->limits) {
+            revolute->limits || revolute->hertz > 0) {
             continue;
         }
         rows->hinge = true;
@@ -304,7 +300,8 @@ std::span<const std::uint32_t> JointSet::takeRevolutes(const Bodies& bodies) {
     std::size_t kept = 0;
     for (const std::uint32_t index : own_) {
         const JointDef& def = joints_[index].def;
-        if (std::holds_alternative<RevoluteJoint>(def) && trees_.rowsOf(index) == nullptr &&
+        const auto* const revolute = std::get_if<RevoluteJoint>(&def);
+        if (revolute != nullptr && !countsTurns(*revolute) && trees_.rowsOf(index) == nullptr &&
             joints_[index].mostBias == Joint::kNoBound &&
             !turnsOnly(bodies.motion[firstBody(def).index]) &&
             !turnsOnly(bodies.motion[secondBody(def).index])) {
@@ -346,6 +343,7 @@ void JointSet::forgetUnsound() {
         for (const Real impulse : joint.axes) {
             sum += impulse;
         }
+        joint.counted = std::isfinite(joint.counted) ? joint.counted : 0;
         if (!std::isfinite(sum) || !isFinite(joint.point) || !isFinite(joint.linearImpulseSum)) {
             joint.point = {};
             joint.axes = {};
@@ -357,11 +355,11 @@ void JointSet::forgetUnsound() {
 
 /// The sums of a step are left out: the next step resets them.
 void JointSet::Joint::visitState(StateStream& stream) {
-    static_assert(countMembers<Joint>() == 11, "list a new member, or leave it out");
-    stream(def, point, axes, force, torque);
+    static_assert(countMembers<Joint>() == 12, "list a new member, or leave it out");
+    stream(def, point, axes, counted, force, torque);
     const Real impulses = std::accumulate(axes.begin(), axes.end(), point.x + point.y);
-    require(!stream.reads() || std::isfinite(impulses + force.x + force.y + torque),
-            "an impulse of a joint is not finite");
+    require(!stream.reads() || std::isfinite(impulses + force.x + force.y + torque + counted),
+            "an impulse or an angle of a joint is not finite");
 }
 
 void JointSet::visitState(StateStream& stream, const Bodies& bodies, Real lengthUnit) {

@@ -27,8 +27,9 @@ public:
     struct Joint {
         JointDef def;
         Vec2 point;                 // N s, of one substep
-        std::array<Real, 5> axes{}; // N s or N m s, of one substep; the meaning depends on the kind
-        Vec2 linearImpulseSum;      // N s, on b, over the step
+        std::array<Real, 6> axes{}; // N s or N m s, of one substep; the meaning depends on the kind
+        Real counted = 0;      // rad with turns, or slip of a gear, at the end of the last step
+        Vec2 linearImpulseSum; // N s, on b, over the step
         Real angularImpulseSum = 0; // N m s, on b, over the step, from angular constraints
         Vec2 force;                 // N, on b, mean of the last step that solved the joint
         Real torque = 0;            // N m, on b, mean of that step
@@ -60,11 +61,10 @@ public:
     void setStamp(std::uint32_t stamp) { stamp_ = stamp; }
     /// Removes the joints of one body.
     void dropBody(std::uint32_t body);
-    const JointDef& def(JointId id) const { return joints_[id.index].def; }
     void setDef(JointId id, const JointDef& def);
-    Vec2 force(JointId id) const { return joints_[id.index].force; }   // N, on b
-    Real torque(JointId id) const { return joints_[id.index].torque; } // N m, on b
+    const Joint& operator[](JointId id) const { return joints_[id.index]; }
     std::vector<JointId> ids() const;
+    std::vector<JointId> ids(std::uint32_t body) const;
     std::size_t size() const { return lists_.size(); }
 
     /// The reason why transfer() would give a joint that check() refuses.
@@ -113,6 +113,8 @@ public:
     /// leaves, and what limits exceed by more than `allowed` (m or rad). Each pass removes the
     /// share that `pass.stiff` would remove in a substep.
     void correct(Bodies& bodies, const JointPass& pass, int passes, Real allowed);
+    /// Counts turns of the bodies, before the displacements of the step become poses.
+    void count(Bodies& bodies);
     /// Resets joints whose impulses are not finite.
     void forgetUnsound();
     /// Computes the loads of a step of dt. Removes and returns the overloaded joints.
@@ -211,6 +213,9 @@ private:
     void solveStiffSprings(Bodies& bodies, const JointPass& pass);
     void solveTrees(Bodies& bodies, const JointPass& pass);
 };
+
+/// Where a joint is, and how it moves.
+JointState stateOf(const JointSet::Joint& joint, const Bodies& bodies);
 
 } // namespace KODO_PRECISION
 } // namespace kodo

@@ -12,28 +12,6 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
 
-JointFrame frameOf(Bodies& bodies, BodyRotations& turned, const JointEnds& ends) {
-    const std::uint32_t a = ends.a.index;
-    const std::uint32_t b = ends.b.index;
-    JointFrame frame{bodies.motion[a],           bodies.motion[b],          {}, {}, {},
-                     turned.rotation(bodies, a), turned.rotation(bodies, b)};
-    frame.armA = armOf(bodies, a, frame.rotationA, ends.anchorA);
-    frame.armB = armOf(bodies, b, frame.rotationB, ends.anchorB);
-    frame.gap = (bodies.pose[b].position - bodies.pose[a].position) +
-                (frame.b.deltaPosition - frame.a.deltaPosition) + (frame.armB - frame.armA);
-    return frame;
-}
-
-/// Body a of a mouse joint is its target: an immovable body.
-JointFrame frameOf(Bodies& bodies, BodyRotations& turned, const MouseJoint& mouse,
-                   BodyVelocity& target) {
-    const std::uint32_t b = mouse.body.index;
-    JointFrame frame{target, bodies.motion[b], {}, {}, {}, {}, turned.rotation(bodies, b)};
-    frame.armB = armOf(bodies, b, frame.rotationB, mouse.anchor);
-    frame.gap = bodies.pose[b].position + frame.b.deltaPosition + frame.armB - mouse.target;
-    return frame;
-}
-
 /// Calls visit(frame, constraint, impulse, relax) for all constraints of a joint.
 template <typename Visit>
 void forConstraints(JointSet::Joint& joint, Bodies& bodies, BodyRotations& turned,
@@ -57,16 +35,16 @@ void forConstraints(JointSet::Joint& joint, Bodies& bodies, BodyRotations& turne
 }
 
 /// True for equality constraints without bounds; false for springs, limits and motors.
-bool isHeld(const PointConstraint& point) {
-    return point.maxImpulse == std::numeric_limits<Real>::infinity();
+bool isHeld(const PointConstraint& point, Relax relax) {
+    return relax == Relax::Rigid && point.maxImpulse == std::numeric_limits<Real>::infinity();
 }
-bool isHeld(const AxisConstraint& axis) {
-    return axis.bounds == kUnbounded;
+bool isHeld(const AxisConstraint& axis, Relax relax) {
+    return relax == Relax::Rigid && axis.bounds == kUnbounded;
 }
 
-/// Angular impulse (N m s) of the motor and the limits of a revolute joint.
+/// Angular impulse (N m s) of the motor, the limits and the spring of a revolute joint.
 Real twistOf(const JointSet::Joint& joint) {
-    return joint.axes[0] + joint.axes[1] - joint.axes[2];
+    return joint.axes[0] + joint.axes[1] - joint.axes[2] + joint.axes[3];
 }
 
 /// Rotates the accumulated impulse at the anchors, if one of the bodies can only rotate. The angle
@@ -92,18 +70,20 @@ public:
                   bodies.motion[firstBody(joint.def).index].angularVelocity;
     }
 
-    void operator()(const JointFrame& frame, const PointConstraint& point, Vec2& impulse) const {
+    void operator()(const JointFrame& frame, const PointConstraint& point, Vec2& impulse,
+                    Relax relax) const {
         const bool revolute = std::holds_alternative<RevoluteJoint>(joint_.def);
-        if (inTree_ && isHeld(point)) {
+        if (inTree_ && isHeld(point, relax)) {
             impulse = revolute ? point.reaction(frame.a, frame.b, twistOf(joint_)) : Vec2{};
         }
         point.apply(frame.a, frame.b, impulse);
     }
 
-    void operator()(const JointFrame& frame, const AxisConstraint& axis, Real& impulse) const {
-        if (isHeld(axis) && axis.axis == Vec2{}) {
+    void operator()(const JointFrame& frame, const AxisConstraint& axis, Real& impulse,
+                    Relax relax) const {
+        if (isHeld(axis, relax) && axis.axis == Vec2{}) {
             keepAngle(frame, impulse);
-        } else if (isHeld(axis) && inTree_) {
+        } else if (isHeld(axis, relax) && inTree_) {
             impulse = 0;
         }
         axis.apply(frame.a, frame.b, impulse);
@@ -148,11 +128,14 @@ public:
     }
 
     template <typename Kind>
-    void remove(const Kind& kind, const JointFrame& now) {
+    void remove(const Kind& kind, const JointFrame& now, Real counted) {
         if (turnsOnly(a_) || turnsOnly(b_)) {
             return; // see errorsOf()
         }
-        const JointFrame frame{a_, b_, now.armA, now.armB, now.gap, now.rotationA, now.rotationB};
+        joint_.counted = counted;
+        const JointFrame frame{
+            a_,         b_,        now.armA, now.armB, now.gap, now.rotationA, now.rotationB,
+            now.startA, now.startB};
         const JointPass pass{.h = 1, .stiff = {share_, 1, 0}, .biased = true};
         JointKinds(joint_, frame, pass, [&](const auto& constraint, auto& impulse, Relax relax) {
             if (relax != Relax::Rigid || constraint.softness.biasRate == 0) {
@@ -160,9 +143,9 @@ public:
             }
             auto remaining = constraint;
             if constexpr (requires { remaining.bounds; }) {
-                remaining.error += isHeld(constraint) ? 0 : allowed_;
+                remaining.error += isHeld(constraint, relax) ? 0 : allowed_;
             }
-            if (!isHeld(constraint) || !inTree_) {
+            if (!isHeld(constraint, relax) || !inTree_) {
                 remaining.solve(a_, b_, impulse, true);
             }
         })(kind);
@@ -204,10 +187,7 @@ void JointSet::warmStart(Bodies& bodies, const JointPass& pass) {
         }
         WarmStart start(joints_[index], bodies, rows != nullptr);
         forConstraints(joints_[index], bodies, turned_,
-                       {pass.h, pass.stiff, pass.biased, rows != nullptr},
-                       [&](const JointFrame& frame, const auto& constraint, auto& impulse, Relax) {
-                           start(frame, constraint, impulse);
-                       });
+                       {pass.h, pass.stiff, pass.biased, rows != nullptr}, start);
     }
 }
 
@@ -265,7 +245,7 @@ void JointSet::solve(Bodies& bodies, const JointPass& pass) {
              .exact = rows != nullptr,
              .errors = pass.errors},
             [&](const JointFrame& frame, const auto& constraint, auto& impulse, Relax relax) {
-                if (rows != nullptr && relax == Relax::Rigid && isHeld(constraint)) {
+                if (rows != nullptr && isHeld(constraint, relax)) {
                     rows->armA = frame.commonArm();
                     rows->armB = frame.armB;
                     rows->add(constraint, impulse, joint.slotOf(impulse));
@@ -298,7 +278,7 @@ void JointSet::correct(Bodies& bodies, const JointPass& pass, int passes, Real a
                 [&](const auto& kind) {
                     if constexpr (requires { kind.ends; }) {
                         Displacement move(bodies, kind.ends, share, most, allowed, rows != nullptr);
-                        move.remove(kind, frameOf(bodies, turned_, kind.ends));
+                        move.remove(kind, frameOf(bodies, turned_, kind.ends), joint.counted);
                     }
                 },
                 joint.def);

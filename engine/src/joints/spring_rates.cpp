@@ -5,30 +5,74 @@
 
 #include <algorithm>
 #include <numbers>
+#include <type_traits>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
 
-void SpringRates::add(const Bodies& bodies, std::uint32_t joint, const DistanceJoint& spring) {
+namespace {
+
+/// Visits joints with a spring that acts once in a substep.
+template <typename Joint>
+inline constexpr bool kHasSpring = requires(Joint joint) {
+    joint.ends;
+    joint.hertz;
+}
+&&!std::is_same_v<Joint, MotorJoint>;
+
+} // namespace
+
+/// The lever of a spring is at most its arm, as the spring itself has none: bodies may turn far in
+/// a step. Bodies that can only rotate have no other mass than that at the anchors.
+template <typename Joint>
+void SpringRates::addSpring(const Bodies& bodies, std::uint32_t joint, const Joint& spring) {
+    constexpr bool kTurns = std::is_same_v<Joint, RevoluteJoint>;
     const JointEnds& ends = spring.ends;
     const std::uint32_t a = ends.a.index;
     const std::uint32_t b = ends.b.index;
-    const Vec2 armA = armOf(bodies, a, bodies.pose[a].rotation, ends.anchorA);
+    const BodyVelocity& bodyA = bodies.motion[a];
+    const BodyVelocity& bodyB = bodies.motion[b];
+    Vec2 armA = armOf(bodies, a, bodies.pose[a].rotation, ends.anchorA);
     const Vec2 armB = armOf(bodies, b, bodies.pose[b].rotation, ends.anchorB);
-    // The lever is at most the arm, as the spring itself has none. Bodies may turn far in a step.
-    const auto give = [&](std::uint32_t body, Vec2 arm) {
-        const BodyVelocity& motion = bodies.motion[body];
-        return motion.invMass + motion.invInertia * lengthSquared(arm);
-    };
-    const Real giveA = give(a, armA);
-    const Real giveB = give(b, armB);
     const Real omega = 2 * std::numbers::pi_v<Real> * spring.hertz;
-    const Real mass = bodies.motion[a].invMass + bodies.motion[b].invMass;
-    if (giveA + giveB > 0) {
-        // N/m; bodies that can only rotate have no other mass than that at the anchors
-        const Real stiffness = omega * omega / (mass > 0 ? mass : giveA + giveB);
-        springs_.push_back({joint, a, b, stiffness * giveA, stiffness * giveB, stiffness});
+    if constexpr (kTurns) {
+        const Real give = inverseAbout(bodyA, armA) + inverseAbout(bodyB, armB);
+        const Real rate = give > 0 ? omega * omega / give : Real(0);
+        // a body on an immovable one rotates about the anchor
+        const Real ofA = bodyB.locked() ? give : bodyA.invInertia;
+        const Real ofB = bodyA.locked() ? give : bodyB.invInertia;
+        springs_.push_back({joint, a, b, rate * ofA, rate * ofB, 0});
+        return;
     }
+    if constexpr (requires { spring.axis; }) { // see JointFrame::commonArm()
+        armA = bodies.pose[b].position + armB - bodies.pose[a].position;
+    }
+    const Real giveA = bodyA.invMass + bodyA.invInertia * lengthSquared(armA);
+    const Real giveB = bodyB.invMass + bodyB.invInertia * lengthSquared(armB);
+    const Real mass = bodyA.invMass + bodyB.invMass;
+    if (!(giveA + giveB > 0)) {
+        return;
+    }
+    const Real stiffness = omega * omega / (mass > 0 ? mass : giveA + giveB); // N/m
+    Spring added{joint, a, b, stiffness * giveA, stiffness * giveB, stiffness};
+    const Real inertia = bodyA.invInertia + bodyB.invInertia;
+    if (std::is_same_v<Joint, FixedJoint> && inertia > 0) {
+        added.ofA += omega * omega * (bodyA.invInertia / inertia);
+        added.ofB += omega * omega * (bodyB.invInertia / inertia);
+    }
+    springs_.push_back(added);
+}
+
+void SpringRates::add(const Bodies& bodies, std::uint32_t joint, const JointDef& def) {
+    std::visit(
+        [&](const auto& kind) {
+            if constexpr (kHasSpring<std::decay_t<decltype(kind)>>) {
+                if (kind.hertz > 0) {
+                    addSpring(bodies, joint, kind);
+                }
+            }
+        },
+        def);
 }
 
 void SpringRates::find(const Bodies& bodies) {

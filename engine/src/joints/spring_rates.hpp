@@ -27,17 +27,21 @@ public:
         std::uint32_t b;
         Real ofA;       // 1/s^2, k J_a M_a^-1 J_a^T
         Real ofB;       // 1/s^2, likewise
-        Real stiffness; // N/m
+        Real stiffness; // N/m, of a DistanceJoint
         Real bound = 0; // 1/s^2, result of find()
     };
 
     void clear() { springs_.clear(); }
-    void add(const Bodies& bodies, std::uint32_t joint, const DistanceJoint& spring);
+    /// Adds the springs of a joint, if it has any.
+    void add(const Bodies& bodies, std::uint32_t joint, const JointDef& def);
     /// Finds the bounds of the springs since clear().
     void find(const Bodies& bodies);
     std::span<const Spring> all() const { return springs_; }
 
 private:
+    template <typename Joint>
+    void addSpring(const Bodies& bodies, std::uint32_t joint, const Joint& spring);
+
     std::vector<Spring> springs_;
     std::vector<Real> sums_;    // by body; zero outside of find()
     std::vector<Real> largest_; // by body; zero outside of find()

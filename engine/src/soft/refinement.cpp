@@ -49,7 +49,7 @@ Real loadOf(const Bodies& bodies, const Contact& contact, std::uint32_t body, Re
     return (own + other) / own * size;
 }
 
-/// The same for the limit of a rope, rod or prismatic joint that the body loads. A row of such
+/// The same for the limit of a rope, rod, slider or wheel that the body loads. A row of such
 /// joints carries the load on light bodies at both ends, so it counts twice.
 Real loadOf(const Bodies& bodies, const JointDef& def, std::uint32_t body, Real slop) {
     const auto atLimit = [&](const auto& kind) {
@@ -75,7 +75,7 @@ Real loadOf(const Bodies& bodies, const JointDef& def, std::uint32_t body, Real 
                               kind.length;
                           }) {
                 return atLimit(kind);
-            } else if constexpr (requires { kind.motorForce; }) {
+            } else if constexpr (requires { kind.axis; }) {
                 return atLimit(kind);
             } else {
                 return false;

@@ -122,14 +122,22 @@ void World::setJoint(JointId id, const JointDef& def) {
 }
 Vec2 World::jointForce(JointId id) const {
     impl().requireAlive(id);
-    return impl().jointData().force(id);
+    return impl().jointData()[id].force;
 }
 Real World::jointTorque(JointId id) const {
     impl().requireAlive(id);
-    return impl().jointData().torque(id);
+    return impl().jointData()[id].torque;
 }
-std::vector<JointId> World::joints() const {
-    return impl().jointData().ids();
+std::vector<JointId> World::joints(std::optional<BodyId> id) const {
+    if (!id) {
+        return impl().jointData().ids();
+    }
+    requireAlive(impl().bodyData(), *id);
+    return impl().jointData().ids(id->index);
+}
+JointState World::jointState(JointId id) const {
+    impl().requireAlive(id);
+    return stateOf(impl().jointData()[id], impl().bodyData());
 }
 std::span<const BrokenJoint> World::brokenJoints() const {
     return impl().brokenJoints();

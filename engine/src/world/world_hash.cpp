@@ -41,6 +41,60 @@ void writeRules(StateStream& stream, const MotionRules& rules) {
     }
 }
 
+/// Number of last members, of those that a joint got after its first version, without effect.
+template <typename Joint>
+std::size_t unusedNumbers(const Joint&) {
+    return 0;
+}
+std::size_t unusedNumbers(const FixedJoint& joint) {
+    return joint.hertz == 0 && joint.damping == 0 ? 2 : 0;
+}
+std::size_t unusedNumbers(const DistanceJoint& joint) {
+    return joint.motorSpeed == 0 && joint.motorForce == 0 ? 2 : 0;
+}
+template <typename Joint>
+requires requires(Joint joint) {
+    joint.target = Real(0);
+}
+std::size_t unusedNumbers(const Joint& joint) {
+    return joint.target == 0 && joint.hertz == 0 && joint.damping == 0 ? 3 : 0;
+}
+
+/// Writes the numbers of a joint. Unused ones and user data of 0 add nothing.
+template <typename Joint>
+void writeJoint(StateStream& stream, const Joint& joint) {
+    const auto dropUserData = [&](const auto& last) {
+        stream.write(last);
+        stream.drop(last.userData == 0 ? sizeof last.userData : 0);
+    };
+    if constexpr (requires { joint.ends; }) {
+        dropUserData(joint.ends);
+        withMembers(joint,
+                    [&](const JointEnds&, const auto&... numbers) { stream.write(numbers...); });
+        stream.drop(unusedNumbers(joint) * sizeof(Real));
+    } else {
+        dropUserData(joint);
+    }
+}
+
+/// Adds the state of a joint. A slot that joints got later counts only with an impulse.
+void addJoint(StateHash& hash, const JointSet::Joint& joint) {
+    constexpr std::size_t kFirstSlots = 5;
+    hash.add(static_cast<std::uint32_t>(joint.def.index()));
+    hash.add(firstBody(joint.def).index);
+    hash.add(secondBody(joint.def).index);
+    hash.add(joint.point.x);
+    hash.add(joint.point.y);
+    for (std::size_t i = 0; i < joint.axes.size(); ++i) {
+        if (i < kFirstSlots || joint.axes[i] != 0) {
+            hash.add(joint.axes[i]);
+        }
+    }
+    if (joint.counted != 0) {
+        hash.add(joint.counted);
+    }
+}
+
 /// Adds what decides the future beside the motion: settings, fields, geometry, materials, user
 /// data and the numbers of joints. Of a user's own fields only that they exist.
 void addDefinitions(StateHash& hash, const WorldImpl& world) {
@@ -80,7 +134,10 @@ void addDefinitions(StateHash& hash, const WorldImpl& world) {
             writeRules(stream, rules);
         }
     }
-    world.jointData().forEach([&](const JointSet::Joint& joint) { stream.write(joint.def); });
+    world.jointData().forEach([&](const JointSet::Joint& joint) {
+        stream.write(static_cast<std::uint8_t>(joint.def.index()));
+        std::visit([&](const auto& kind) { writeJoint(stream, kind); }, joint.def);
+    });
     for (const std::byte byte : stream.takeWritten()) {
         hash.add(std::to_integer<std::uint8_t>(byte));
     }
@@ -131,16 +188,7 @@ std::uint64_t WorldImpl::stateHash() const {
         [&](std::uint32_t slot) { addContact(contacts_.store().copyOf(slot, bodies_)); });
     sleep_.forEachContact(addContact);
     region_.parked().forEach(addContact);
-    joints_.forEach([&](const JointSet::Joint& joint) {
-        hash.add(static_cast<std::uint32_t>(joint.def.index()));
-        hash.add(firstBody(joint.def).index);
-        hash.add(secondBody(joint.def).index);
-        hash.add(joint.point.x);
-        hash.add(joint.point.y);
-        for (const Real impulse : joint.axes) {
-            hash.add(impulse);
-        }
-    });
+    joints_.forEach([&](const JointSet::Joint& joint) { addJoint(hash, joint); });
     addDefinitions(hash, *this);
     return hash.value();
 }

@@ -312,7 +312,7 @@ void WorldImpl::remove(JointId id) {
 
 const JointDef& WorldImpl::joint(JointId id) const {
     requireAlive(id);
-    return joints_.def(id);
+    return joints_[id].def;
 }
 
 void WorldImpl::setJoint(JointId id, const JointDef& def) {

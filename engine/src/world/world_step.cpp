@@ -63,6 +63,7 @@ void WorldStep::run(StageListener* listener) {
         runContinuous();
     }
     enter(StepStage::Record);
+    joints_.count(bodies_);
     finishMoves();
     if (!contacts_.contacts().empty() || !contacts_.touchCounts().changes().empty()) {
         recordCollisions();
