@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <fstream>
 #include <vector>
 
-int main() {
+int main(int argc, char** argv) {
     kodo::World world{{.gravity = {0, -10}}};
     world.add({.shape = kodo::Plane{}, .type = kodo::BodyType::Static});
 
@@ -48,6 +49,9 @@ int main() {
                            .angularVelocity = brick.angularVelocity()});
             }
             world.remove(id);
+        }
+        if (argc > 1 && step == 20) { // a picture
+            std::ofstream(argv[1]) << kodo::svg(world, {}, kodo::Aabb{{-4, -0.5f}, {5, 5}});
         }
     }
     std::printf("%zu bodies at the end\n", world.bodyCount());

@@ -3,6 +3,7 @@
 #include <kodo/kodo.hpp>
 
 #include <cstdio>
+#include <fstream>
 #include <memory>
 
 /// Pulls with a constant force (N) within a radius (m), and brakes: F = pull d / |d| - drag v.
@@ -27,7 +28,7 @@ private:
     float pull_;
 };
 
-int main() {
+int main(int argc, char** argv) {
     constexpr kodo::Flags kIron = 1;
     kodo::World world{{.gravity = {0, -10}}};
     world.add({.shape = kodo::Plane{}, .type = kodo::BodyType::Static});
@@ -45,5 +46,8 @@ int main() {
                         world[iron].position().y, world[wood].position().y);
         }
         world.step(1.0f / 60);
+        if (argc > 1 && step == 90) { // a picture
+            std::ofstream(argv[1]) << kodo::svg(world, {.velocities = true}, {{{-4, -1}, {4, 7}}});
+        }
     }
 }

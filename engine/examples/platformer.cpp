@@ -3,8 +3,9 @@
 #include <kodo/kodo.hpp>
 
 #include <cstdio>
+#include <fstream>
 
-int main() {
+int main(int argc, char** argv) {
     kodo::World world{{.gravity = {0, -20}}};
     // Ten flat cells of 1 m, then a slope. Bodies slide over the joins.
     world.add(
@@ -50,6 +51,9 @@ int main() {
             tell("lands", step);
         }
         wasOnGround = onGround();
+        if (argc > 1 && step == 90) { // a picture
+            std::ofstream(argv[1]) << kodo::svg(world, {.velocities = true});
+        }
     }
     tell("stands", 240);
 }

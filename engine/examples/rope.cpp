@@ -3,9 +3,10 @@
 #include <kodo/kodo.hpp>
 
 #include <cstdio>
+#include <fstream>
 #include <vector>
 
-int main() {
+int main(int argc, char** argv) {
     kodo::World world{{.gravity = {0, -10}}};
     const kodo::BodyId hook =
         world.add({.shape = kodo::Circle{0.1f}, .type = kodo::BodyType::Static});
@@ -49,6 +50,9 @@ int main() {
     addLoad();
     run(120);
     std::printf("with 4 kg: %.1f N\n", world.jointForce(joints[0]).y);
+    if (argc > 1) { // a picture
+        std::ofstream(argv[1]) << kodo::svg(world);
+    }
     addLoad(); // 8 kg in all
     run(60);
     std::printf("%zu of 12 joints left\n", world.joints().size());

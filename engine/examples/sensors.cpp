@@ -3,8 +3,9 @@
 #include <kodo/kodo.hpp>
 
 #include <cstdio>
+#include <fstream>
 
-int main() {
+int main(int argc, char** argv) {
     constexpr kodo::Flags kRed = 1;
     constexpr kodo::Flags kBlue = 2;
 
@@ -43,6 +44,9 @@ int main() {
         }
         for (const kodo::CollisionRecord& touch : world.endedCollisions()) {
             report(touch, -1, "leaves");
+        }
+        if (argc > 1 && step == 45) { // a picture
+            std::ofstream(argv[1]) << kodo::svg(world, {.labels = true}, {{{-4, -1}, {4, 3.5f}}});
         }
     }
 

@@ -94,10 +94,10 @@ void draw(const ConvexShape& shape, const Transform& pose, DebugDraw& target,
         target.polygon(corners, style);
     } else {
         target.line(corners[0], corners[1], style);
-        if (shape.oneSided) {
+        const Vec2 tick = kArrowHead * target.pixel() * normalize(perp(corners[1] - corners[0]));
+        if (shape.oneSided && length(corners[1] - corners[0]) > 2 * length(tick)) {
             const Vec2 middle = (corners[0] + corners[1]) / 2;
-            const Vec2 front = normalize(perp(corners[1] - corners[0]));
-            target.line(middle, middle + kArrowHead * target.pixel() * front, style);
+            target.line(middle, middle + tick, style);
         }
     }
 }
