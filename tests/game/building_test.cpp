@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
 
 namespace {
 
@@ -168,7 +169,7 @@ void tossTopOfLeftColumn(Game& game) {
     toss(game, top, {-8, 0});
 }
 
-TEST(Building, IsDownOnceLittleOfItsHeightIsLeftAndTheRestCrumbles) {
+TEST(Building, IsDownOnceHalfOfItsHeightIsLeftAndTheRestComesDown) {
     Game game(columnsAndBricks(), 1);
     play(game, 60);
     GameTestAccess::countHit(game);
@@ -176,22 +177,20 @@ TEST(Building, IsDownOnceLittleOfItsHeightIsLeftAndTheRestCrumbles) {
         toss(game, i, {8, 0});
     }
     play(game, 240);
-    tossTopOfLeftColumn(game);
-    play(game, 240);
-    EXPECT_EQ(game.blocksLeft(), 4);
-    EXPECT_EQ(game.counts().lowTick, 0u) << "0.3 of the sum of heights is left";
+    EXPECT_EQ(game.blocksLeft(), 5);
+    EXPECT_FALSE(game.counts().isDown()) << "0.55 of the sum of heights is left";
     tossTopOfLeftColumn(game);
     play(game, 600);
-    EXPECT_GT(game.counts().lowTick, 0u);
-    EXPECT_FALSE(game.counts().isDown()) << "no ball was returned";
-    EXPECT_EQ(game.blocksLeft(), 3);
-    GameTestAccess::shoot(game, {0, 3}, {0, -12});
+    EXPECT_EQ(game.blocksLeft(), 4);
+    EXPECT_FALSE(game.counts().isDown()) << "no ball is in play";
+    GameTestAccess::shoot(game, {0, 16}, {0, -12});
     const auto won = playUntil<Cleared>(game, {}, 600);
     ASSERT_TRUE(won);
     EXPECT_TRUE(game.counts().isDown());
-    EXPECT_EQ(game.counts().hits, 2);
-    EXPECT_EQ(game.score(), (1 + 2 + 3 + 1 + 1 + 3) * 100 + won->lives + won->prize)
-        << "what crumbles is not multiplied";
+    EXPECT_EQ(game.counts().hits, 1);
+    EXPECT_EQ(game.collapse().largest, 4) << "the rest is one collapse";
+    EXPECT_EQ(game.score(), (1 + 2 + 3 + 1 + 4) * 100 + won->lives + won->prize)
+        << "what comes down by itself is not multiplied";
 }
 
 TEST(Building, ABallLostAfterItIsDownCostsNoLife) {
@@ -201,17 +200,39 @@ TEST(Building, ABallLostAfterItIsDownCostsNoLife) {
     for (std::size_t i = 0; i < 6; ++i) {
         toss(game, i, {i < 3 ? Real(8) : Real(-8), 0});
     }
-    GameTestAccess::shoot(game, {0, 3}, {0, -12});
+    GameTestAccess::shoot(game, {0, 16}, {0, -12});
     for (int i = 0; i < 600 && !game.counts().isDown(); ++i) {
-        if (game.counts().lowTick > 0 && game.world()[game.balls()[0].body].position().y > 6) {
-            GameTestAccess::shoot(game, {0, 3}, {0, -12});
-        }
         game.tick({});
     }
     ASSERT_TRUE(game.counts().isDown());
     GameTestAccess::shoot(game, {9, Real(0.5)}, {0, -12}); // past the paddle
     ASSERT_TRUE(playUntil<Cleared>(game, {}, 600));
     EXPECT_EQ(game.lives(), 3);
+}
+
+/// Serves straight up, and moves the paddle so far from there and back.
+Game returned(std::int16_t way) {
+    Game game(columns(), 1);
+    game.tick({.launch = true, .aim = std::int16_t{0}});
+    for (int i = 0; i < 480 && game.counts().hits < 2; ++i) {
+        game.tick({.target = i < 60 ? way : std::int16_t{0}});
+    }
+    return game;
+}
+
+TEST(Game, AServedBallIsHollowUntilAPaddleThatHasMovedReturnsIt) {
+    const auto massOf = [](const Game& game) { return game.world()[game.balls()[0].body].mass(); };
+    Game game(columns(), 1);
+    game.tick({.launch = true, .aim = std::int16_t{0}});
+    const Real full = kBallDensity * std::numbers::pi_v<Real> * kBallRadius * kBallRadius;
+    EXPECT_NEAR(massOf(game), kHollowShare * full, 1e-3 * full);
+    const Game still = returned(0);
+    EXPECT_EQ(still.counts().hits, 2);
+    EXPECT_TRUE(still.balls()[0].hollow);
+    const Game moved = returned(1000);
+    EXPECT_EQ(moved.counts().hits, 2);
+    EXPECT_FALSE(moved.balls()[0].hollow);
+    EXPECT_NEAR(massOf(moved), full, 1e-3 * full);
 }
 
 TEST(Building, BlocksThatFallTogetherAreOneCollapse) {

@@ -46,6 +46,7 @@ struct GameTestAccess {
         }
         Ball& ball = game.state_.balls.front();
         ball.riding = false;
+        ball.hollow = false;
         ball.heading = normalize(velocity);
         kodo::BodyRef body = game.state_.world[ball.body];
         body.setType(kodo::BodyType::Dynamic);

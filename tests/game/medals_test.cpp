@@ -26,18 +26,21 @@ TEST(Medals, AScoreEarnsTheHighestMarkThatItReaches) {
     EXPECT_EQ(nextMark(0, "c", kMarks), 0);
 }
 
-TEST(Medals, MarksAreRisingQuantilesOfTheScores) {
-    std::vector<std::int32_t> scores(101);
-    std::iota(scores.begin(), scores.end(), 1000); // 1000 to 1100: quantile q is 1000 + 100 q
-    EXPECT_EQ(marksOf(scores), (std::array<std::int32_t, 3>{1050, 1100, 1100}));
-    EXPECT_EQ(marksOf({0}), (std::array<std::int32_t, 3>{50, 50, 50}));
+TEST(Medals, BronzeIsForTheLazySilverForThreeGamesInTenAndGoldIsFifteenPercentAbove) {
+    std::vector<std::int32_t> lazy(101);
+    std::iota(lazy.begin(), lazy.end(), 1000); // 1000 to 1100: quantile q is 1000 + 100 q
+    std::vector<std::int32_t> good(101);
+    std::iota(good.begin(), good.end(), 1920);
+    using Marks = std::array<std::int32_t, 3>;
+    EXPECT_EQ(scoresForMedals(lazy, good, {}), (Marks{1050, 2000, 2300}));
+    EXPECT_EQ(scoresForMedals(good, lazy, {}), (Marks{1950, 2000, 2300}));
+    EXPECT_EQ(scoresForMedals({0}, {0}, {}), (Marks{50, 50, 100}));
 }
 
-TEST(Medals, SilverAndGoldAreRaisedAboveAScore) {
+TEST(Medals, SilverAndGoldLieAboveThePlayerWhoNeverMoves) {
     using Marks = std::array<std::int32_t, 3>;
-    EXPECT_EQ(raisedAbove({100, 200, 400}, 199), (Marks{100, 200, 400}));
-    EXPECT_EQ(raisedAbove({100, 200, 400}, 200), (Marks{100, 250, 400}));
-    EXPECT_EQ(raisedAbove({100, 200, 400}, 420), (Marks{100, 450, 500}));
+    EXPECT_EQ(scoresForMedals({100}, {200}, {50, 199}), (Marks{100, 200, 250}));
+    EXPECT_EQ(scoresForMedals({100}, {200}, {50, 200}), (Marks{100, 250, 300}));
 }
 
 /// The best score of games in which the paddle never moves.
@@ -52,7 +55,7 @@ std::int32_t bestOfAbsent(const Level& level, std::uint32_t seeds, std::uint32_t
 TEST(Medals, MeasuringPutsSilverAboveThePlayerWhoNeverMoves) {
     constexpr std::uint32_t kMostTicks = 120 * kTicksPerSecond;
     const Level level = std::get<Level>(loadLevel("stone_circle"));
-    EXPECT_GT(measureMedals(level, 1, kMostTicks).scores[1],
+    EXPECT_GT(marksOf(level, playForMedals(level, 1, kMostTicks)).scores[1],
               bestOfAbsent(level, kAbsentGames, kMostTicks));
 }
 
@@ -86,8 +89,8 @@ TEST(Medals, AnInvalidTableIsRefused) {
 
 TEST(Medals, MeasuringIsRepeatable) {
     const Level level = std::get<Level>(loadLevel("first_light"));
-    const MedalMarks marks = measureMedals(level, 1, 600);
-    EXPECT_EQ(marks, measureMedals(level, 1, 600));
+    const MedalMarks marks = marksOf(level, playForMedals(level, 1, 600));
+    EXPECT_EQ(marks, marksOf(level, playForMedals(level, 1, 600)));
     EXPECT_GE(marks.oneFall, 8) << "the temple falls";
     EXPECT_TRUE(measuredOn(marks, level));
     EXPECT_FALSE(measuredOn({"first_light", marks.digest + 1, {}}, level));

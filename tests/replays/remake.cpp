@@ -65,9 +65,9 @@ void inParallel(std::size_t count, const std::function<void(std::size_t)>& work)
     }
 }
 
-/// Plays the first serve with the paddle at a fixed target.
-Collapsing collapseOf(const LevelPointer& level, std::uint32_t seed, int target) {
-    Game game(level, seed);
+/// Plays the first serve with the paddle at a fixed target. The serve of Mode::Pure is not hollow.
+Collapsing collapseOf(const LevelPointer& level, Mode mode, std::uint32_t seed, int target) {
+    Game game(level, seed, mode);
     Collapsing found{.seed = seed, .target = target, .blocks = game.blocksAtStart()};
     Input input;
     input.target = static_cast<std::int16_t>(target);
@@ -152,7 +152,7 @@ std::string remadeCollapse(const std::string& text, const Replay& replay,
         }
     }
     inParallel(found.size(), [&](std::size_t i) {
-        found[i] = collapseOf(level, found[i].seed, found[i].target);
+        found[i] = collapseOf(level, replay.mode, found[i].seed, found[i].target);
     });
     std::erase_if(found,
                   [&](const Collapsing& c) { return c.largest < kLeastFall || !wanted.allows(c); });
@@ -163,7 +163,7 @@ std::string remadeCollapse(const std::string& text, const Replay& replay,
     inParallel(2 * found.size(), [&](std::size_t i) {
         Collapsing& middle = found[i / 2];
         const int side = i % 2 == 0 ? -kHalfBall : kHalfBall;
-        const Collapsing beside = collapseOf(level, middle.seed, middle.target + side);
+        const Collapsing beside = collapseOf(level, replay.mode, middle.seed, middle.target + side);
         (i % 2 == 0 ? middle.besideLeft : middle.besideRight) = beside.largest;
     });
     // The weakest of the three counts most, then the fall itself; late falls lose some.

@@ -229,6 +229,23 @@ std::optional<Real> partToCatch(const Game& game, Real secondsLeft) {
     return std::nullopt;
 }
 
+/// The ball that arrives first, if one does within 2 s.
+struct Meeting {
+    const Ball* ball = nullptr; // nullptr: none
+    Arrival arrival{0, 2};
+};
+
+Meeting firstMeeting(const Game& game, Real height) {
+    Meeting first;
+    for (const Ball& ball : game.balls()) {
+        const std::optional<Arrival> arrival = arrivalAt(game, ball, height);
+        if (arrival && (first.ball == nullptr || arrival->seconds < first.arrival.seconds)) {
+            first = {&ball, *arrival};
+        }
+    }
+    return first;
+}
+
 /// Force of Good when nothing was damaged for a while. It tears a block off while no ball arrives,
 /// or pulls a high ball whose path does not hit a block.
 Force forceFor(const Game& game) {
@@ -321,8 +338,13 @@ std::optional<Arrival> arrivalOf(const Game& game, const Ball& ball) {
     return arrivalAt(game, ball, meetingHeight(0));
 }
 
+std::optional<Arrival> firstArrival(const Game& game, Real offset) {
+    const Meeting next = firstMeeting(game, meetingHeight(offset));
+    return next.ball != nullptr ? std::optional(next.arrival) : std::nullopt;
+}
+
 Input bot(const Game& game, BotKind kind) {
-    const bool aims = kind == BotKind::Good || kind == BotKind::Perfect;
+    const bool aims = kind == BotKind::Good || kind == BotKind::Perfect || kind == BotKind::Planner;
     if (kind == BotKind::Clumsy || kind == BotKind::Novice || kind == BotKind::Fair) {
         return keyBot(game, handOf(kind));
     }
@@ -334,16 +356,8 @@ Input bot(const Game& game, BotKind kind) {
     if (kind == BotKind::Erratic) {
         return erraticBot(game);
     }
-    const Ball* next = nullptr;
-    Arrival first{0, 2}; // default: no arrival within 2 s
+    const auto [next, first] = firstMeeting(game, meetingHeight(0));
     Real place = 0;
-    for (const Ball& ball : game.balls()) {
-        const std::optional<Arrival> arrival = arrivalOf(game, ball);
-        if (arrival && (next == nullptr || arrival->seconds < first.seconds)) {
-            next = &ball;
-            first = *arrival;
-        }
-    }
     if (next != nullptr) {
         place = aims ? placeFor(game, *next, first, kind)
                 : kind == BotKind::Random
@@ -361,10 +375,8 @@ Input bot(const Game& game, BotKind kind) {
     if (aims) {
         place = partToCatch(game, first.seconds).value_or(place);
         input.force = forceFor(game);
-        input.launch = input.launch || first.seconds < kLeapSeconds;
-    }
-    if (kind == BotKind::Perfect) {
         input.aim = surestServe(game);
+        input.launch = input.launch || first.seconds < kLeapSeconds;
     }
     const Real most = kFieldWidth / 2;
     input.target = static_cast<std::int16_t>(std::clamp(place, -most, most) * 1000);

@@ -17,6 +17,8 @@ struct Arrival {
 };
 
 std::optional<Arrival> arrivalOf(const Game& game, const Ball& ball);
+/// Of the ball that arrives first at the height of the dome `offset` (m) from its middle.
+std::optional<Arrival> firstArrival(const Game& game, kodo::Real offset);
 
 enum class BotKind : std::uint8_t {
     Good,    // aims: meets the ball where the dome sends it to a block
@@ -28,9 +30,11 @@ enum class BotKind : std::uint8_t {
     Fair,    // as Clumsy, but follows the ball from the top, without a miss of its own
     Perfect, // as Good, but each shot is the surest one
     Absent,  // never moves, and launches twice a second
+    Planner, // tries its shots on copies of the game; needs a Player, else as Good
 };
-inline constexpr std::array<std::string_view, 9> kBotNames = {
-    "good", "lazy", "random", "clumsy", "erratic", "novice", "fair", "perfect", "absent"};
+inline constexpr std::array<std::string_view, 10> kBotNames = {
+    "good",   "lazy", "random",  "clumsy", "erratic",
+    "novice", "fair", "perfect", "absent", "planner"};
 
 /// The scale of skills by which the difficulty of levels is measured, from the lowest.
 inline constexpr std::array<BotKind, 5> kSkills = {BotKind::Clumsy, BotKind::Novice, BotKind::Fair,

@@ -10,15 +10,23 @@ namespace apart {
 
 namespace {
 
+void landAll(GameState& game) {
+    for (Block& block : game.blocks) {
+        land(game, block);
+    }
+}
+
 void conclude(GameState& game) {
     if (game.result != Result::Playing) {
         return;
     }
     const auto falls = [](const Block& block) { return block.due > 0; };
     if (game.counts.blocksLeft == 0) {
-        if (std::any_of(game.blocks.begin(), game.blocks.end(), falls)) {
+        const bool quiet = game.tick - game.collapse.lastTick > kCollapseGap;
+        if (!quiet && std::any_of(game.blocks.begin(), game.blocks.end(), falls)) {
             return; // no ball is needed any more
         }
+        landAll(game);
         endCollapse(game);
         game.result = Result::Won;
         const Cleared won{.lives = game.counts.lives * kLifePoints,
@@ -31,9 +39,7 @@ void conclude(GameState& game) {
         game.counts.combo = 0; // a combo ends with the last ball
         game.events.emplace_back(LifeLost{game.counts.lives});
         if (game.counts.lives == 0) {
-            for (Block& block : game.blocks) {
-                land(game, block);
-            }
+            landAll(game);
             game.result = Result::Lost;
             game.events.emplace_back(Lost{game.counts.score});
             return;

@@ -147,7 +147,8 @@ void watchProgress(GameState& game) {
     if (game.counts.isDown()) {
         return;
     }
-    if (game.result == Result::Playing && !game.serving() && game.clock.tick(hurry)) {
+    const bool fails = game.result == Result::Playing && !game.serving() && game.clock.tick(hurry);
+    if (fails && (game.armed() || game.clock.idleTicks() >= kHollowFailTicks)) {
         letGoNext(game, LetGo::Why::Fatigue);
     } else if (game.field.tornSpeed >= kTornSpeed) {
         letGoNext(game, LetGo::Why::Torn);

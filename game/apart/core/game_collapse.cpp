@@ -33,14 +33,10 @@ bool hasFallen(const GameState& game, const Block& block) {
 /// True if little of a building is left above its lowest block.
 bool isLow(const GameState& game) {
     const Level& level = *game.level;
-    std::vector<Real> heights; // m, of the blocks at the start
-    for (const Cell& cell : level.cells) {
-        if (level.kinds[cell.kind].breakable()) {
-            heights.push_back(centerOf(cell).y);
-        }
-    }
+    std::vector<Real> heights; // m, of its blocks at the start
     for (const FreeBlock& block : level.freeBlocks) {
-        if (level.kinds[block.kind].breakable()) {
+        if (level.kinds[block.kind].breakable() &&
+            level.kinds[block.kind].support == Support::Standing) {
             heights.push_back(static_cast<Real>(block.y) / 1000);
         }
     }
@@ -49,9 +45,10 @@ bool isLow(const GameState& game) {
     const Real full = std::accumulate(heights.begin(), heights.end(), Real(0), add);
     Real left = 0;
     for (const Block& block : game.blocks) {
-        left = block.counts() ? add(left, game.frameOf(block).position.y) : left;
+        const bool stands = block.counts() && block.support == Support::Standing;
+        left = stands ? add(left, game.frameOf(block).position.y) : left;
     }
-    return left <= kLowShare * full;
+    return left <= kDownShare * full;
 }
 
 /// The lowest block that is to be cleared; blocks.size(): none.
@@ -92,7 +89,8 @@ void watchBuildings(GameState& game) {
             markFallen(game, i, LetGo::Why::Toppled);
         }
     }
-    if (game.collapse.blocks > 0 && game.tick - game.collapse.lastTick > kCollapseGap) {
+    const bool quiet = game.tick - game.collapse.lastTick > kCollapseGap;
+    if (game.collapse.blocks > 0 && quiet && game.counts.blocksLeft > 0) {
         endCollapse(game);
     }
     crumble(game);
@@ -151,20 +149,12 @@ bool GameState::isCarried(const Block& block) const {
 
 /// Breaks what is left of a building that is down, block by block.
 void crumble(GameState& game) {
-    Counts& counts = game.counts;
-    if (counts.lowTick == 0) {
-        const bool quiet = game.tick - game.collapse.lastTick > kLowTicks;
-        const bool low = quiet && counts.hits > 0 && isBuilding(*game.level) && isLow(game);
-        counts.lowTick = low ? game.tick : 0;
-    } else if (!counts.isDown()) {
-        const auto returned = [](const Event& event) {
-            const auto* struck = std::get_if<Struck>(&event);
-            return struck != nullptr && struck->what == Role::Paddle;
-        };
-        const bool down = std::any_of(game.events.begin(), game.events.end(), returned);
-        counts.downTick = down ? game.tick : 0;
+    if (!game.counts.isDown()) {
+        const bool quiet = game.tick - game.collapse.lastTick > kDownTicks;
+        const bool down = game.armed() && quiet && isBuilding(*game.level) && isLow(game);
+        game.counts.downTick = down ? game.tick : 0;
     }
-    if (!counts.isDown()) {
+    if (!game.counts.isDown()) {
         return;
     }
     const std::size_t lowest = lowestLeft(game);
@@ -211,15 +201,15 @@ void markFallen(GameState& game, std::size_t index, LetGo::Why why) {
 /// larger. Before the first serve nothing is worth points, and nothing is multiplied once the
 /// building is down.
 std::int32_t addToCollapse(GameState& game, const Block& block, Vec2 place) {
-    if (game.counts.hits == 0 || game.counts.isDown()) {
-        return game.counts.hits == 0 ? 0 : pointsOf(block.kind);
+    if (game.counts.hits == 0) {
+        return 0;
     }
     ++game.collapse.blocks;
     game.collapse.lastTick = game.tick;
     game.collapse.sum += place;
     game.collapse.largest = std::max(game.collapse.largest, game.collapse.blocks);
-    const std::int32_t factor =
-        std::min(std::max(game.collapse.blocks, game.counts.combo), kMostCombo);
+    const std::int32_t chain = std::max(game.collapse.blocks, game.counts.combo);
+    const std::int32_t factor = game.counts.isDown() ? 1 : std::min(chain, kMostCombo);
     const std::int32_t points = pointsOf(block.kind) * factor;
     game.collapse.points += points;
     return points;

@@ -32,6 +32,7 @@ void add(kodo::StateHash& hash, const Ball& ball) {
     add(hash, ball.body);
     add(hash, ball.heading);
     hash.add(static_cast<std::uint8_t>(ball.riding));
+    hash.add(static_cast<std::uint8_t>(ball.hollow));
     hash.add(static_cast<std::uint8_t>(ball.kind));
     hash.add(ball.carriedTicks);
 }
@@ -109,7 +110,6 @@ std::uint64_t GameState::hash() const {
         sum.add(number);
     }
     sum.add(counts.serves);
-    sum.add(counts.lowTick);
     sum.add(counts.downTick);
     sum.add(counts.hitTick);
     sum.add(static_cast<std::uint64_t>(carriers.size()));
@@ -122,6 +122,7 @@ std::uint64_t GameState::hash() const {
     add(sum, boss.body);
     sum.add(boss.way);
     add(sum, paddle.serveHeading);
+    sum.add(static_cast<std::uint8_t>(paddle.moved));
     add(sum, paddle.welds);
     add(sum, blocks);
     add(sum, balls);

@@ -114,17 +114,22 @@ void judgeBreakable(GameState& game, const CollisionRecord& hit, BodyId body) {
 void judgeBall(GameState& game, const CollisionRecord& hit, BodyId ball) {
     const BodyId other = hit.other(ball);
     const Role what = roleOf(game.world[other].flags());
+    const auto met = std::find_if(game.balls.begin(), game.balls.end(),
+                                  [&](const Ball& b) { return b.body == ball; });
+    const Real slightest = (met->hollow ? kHollowShare : Real(1)) * kSlightestImpact;
     if (what == Role::Paddle) {
         game.counts.combo = 0;
-        const auto met = std::find_if(game.balls.begin(), game.balls.end(),
-                                      [&](const Ball& b) { return b.body == ball; });
         const bool begins = hit.phase == kodo::TouchPhase::Begin;
         if (begins && game.clock.metPaddle(game.world[ball].position(), met->heading,
                                            game.world[game.paddle.body].position().x)) {
             game.events.emplace_back(LoopSeen{ball});
         }
+        if (met->hollow && game.paddle.moved) {
+            met->hollow = false;
+            game.world[ball].setMassFromDensity();
+        }
     }
-    if (hit.maxPointImpulse() < kSlightestImpact) {
+    if (hit.maxPointImpulse() < slightest) {
         return;
     }
     if (what == Role::Paddle) {

@@ -83,9 +83,10 @@ void newServe(GameState& game) {
     const Vec2 place = game.world[game.paddle.body].position() + rideOffset(kind);
     game.paddle.serveHeading = drawServe(game, place);
     ++game.counts.serves;
+    const bool hollow = game.mode == Mode::Standard && isBuilding(*game.level);
     const BodyId ball = addBall(game.world, place, kind);
     game.world[ball].setType(kodo::BodyType::Kinematic);
-    game.balls.push_back({ball, game.paddle.serveHeading, true, kind});
+    game.balls.push_back({ball, game.paddle.serveHeading, true, hollow, kind});
 }
 
 void aimServe(GameState& game, std::int16_t aim) {
@@ -102,7 +103,11 @@ void serve(GameState& game) {
             ball.heading = game.paddle.serveHeading;
             kodo::BodyRef body = game.world[ball.body];
             body.setType(kodo::BodyType::Dynamic);
+            if (ball.hollow) {
+                body.setMass(kHollowShare * body.mass());
+            }
             body.setVelocity(game.ballSpeed() * game.paddle.serveHeading);
+            game.paddle.moved = false;
             game.counts.hit(game.tick);
             game.events.emplace_back(Served{ball.body, body.position(), game.paddle.serveHeading});
         }
@@ -129,6 +134,7 @@ void steer(GameState& game, const Input& input) {
     const Real roomLeft = std::min(left - bounds.lower.x, Real(0));
     const Real roomRight = std::max(right - bounds.upper.x, Real(0));
     const Real way = std::clamp(game.paddle.speed * kTickSeconds, roomLeft, roomRight);
+    game.paddle.moved = game.paddle.moved || std::abs(way) > kMovedWay;
     game.paddle.speed = way / kTickSeconds;
 
     const kodo::Transform target{{position.x + way, kPaddleY + game.paddle.sway.lift},

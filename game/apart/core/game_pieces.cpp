@@ -141,7 +141,7 @@ int addPieces(GameState& game, const Block& block, const kodo::Shape& shape,
             const BodyId ball = addBall(game.world, frame.position + arm, game.ballKind());
             game.world[ball].setVelocity(motion.velocity);
             game.world[ball].setAngularVelocity(motion.spin);
-            game.balls.push_back({ball, headingOf(motion.velocity), false, game.ballKind()});
+            game.balls.push_back({ball, headingOf(motion.velocity), false, false, game.ballKind()});
             ++balls;
             continue;
         }

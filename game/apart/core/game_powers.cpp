@@ -95,6 +95,8 @@ void reshapeBalls(GameState& game) {
         kodo::BodyRef now = game.world[ball.body];
         if (ball.riding) {
             now.setType(kodo::BodyType::Kinematic);
+        } else if (ball.hollow) {
+            now.setMass(kHollowShare * now.mass());
         }
         now.setVelocity(velocity);
         now.setAngularVelocity(spin);

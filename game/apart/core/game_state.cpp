@@ -35,6 +35,11 @@ bool GameState::serving() const {
     return std::any_of(balls.begin(), balls.end(), [](const Ball& ball) { return ball.riding; });
 }
 
+bool GameState::armed() const {
+    return std::any_of(balls.begin(), balls.end(),
+                       [](const Ball& ball) { return !ball.riding && !ball.hollow; });
+}
+
 Real GameState::ballSpeed() const {
     const auto broken = static_cast<Real>(counts.blocksAtStart - counts.blocksLeft);
     const Real share =

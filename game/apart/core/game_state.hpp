@@ -32,20 +32,20 @@ struct Counts {
     std::int32_t hits = 0;      // of balls on the paddle; a serve is one
     std::uint32_t hitTick = 0;  // of the last hit
     std::int32_t fullPrize = 0; // points of a game won with one hit
-    std::uint32_t lowTick = 0;  // since which the building is low; 0: it is not
-    std::uint32_t downTick = 0; // at which a ball was returned since; 0: none was
+    std::uint32_t downTick = 0; // since which the building is down; 0: it is not
 
     /// A ball touched the paddle, or was served, at a tick.
     void hit(std::uint32_t tick);
     /// Points for few hits, if the game were won now.
     std::int32_t prize() const { return fullPrize / std::max(hits, 1); }
-    /// What is left of the building crumbles, and no ball is needed any more.
+    /// What is left of the building comes down, and no ball is needed any more.
     bool isDown() const { return downTick > 0; }
 };
 
 struct Paddle {
     kodo::BodyId body;
     kodo::Real speed = 0; // m/s
+    bool moved = false;   // since the last serve
     Sway sway;
     std::vector<Weld> welds;       // by part of the body, from part 1
     kodo::Vec2 serveHeading{0, 1}; // unit; of the next serve
@@ -122,6 +122,7 @@ struct GameState {
     bool isCarried(const Block& block) const; // at its place on what carries it
     bool keeps() const;                       // Level::keep has not fallen; false without one
     bool serving() const;
+    bool armed() const;           // a ball in play is not hollow
     kodo::Real ballSpeed() const; // m/s
     std::uint64_t hash() const;
 };

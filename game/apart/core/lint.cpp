@@ -3,6 +3,7 @@
 #include <apart/core/font_coverage.hpp>
 #include <apart/core/game_observer.hpp>
 #include <apart/core/lint.hpp>
+#include <apart/core/player.hpp>
 #include <apart/core/tuning.hpp>
 #include <kodo/query.hpp>
 
@@ -254,6 +255,7 @@ void judgeStanding(const Level& level, LintReport& report) {
 
 BotRun runBot(const Level& level, std::uint32_t seed, std::uint32_t mostTicks, BotKind kind) {
     Game game(level, seed);
+    Player player(kind);
     GameObserver observer;
     BotRun run{.seed = seed};
     GapMeter events;
@@ -263,7 +265,7 @@ BotRun runBot(const Level& level, std::uint32_t seed, std::uint32_t mostTicks, B
     while (game.result() == Result::Playing && game.ticks() < mostTicks) {
         const std::int32_t left = game.blocksLeft();
         const std::int32_t largest = game.collapse().largest;
-        game.tick(bot(game, kind));
+        game.tick(player.next(game));
         observer.observe(game);
         const bool over = game.result() != Result::Playing;
         events.tick(isEventful(game) || over);

@@ -49,42 +49,49 @@ std::optional<MedalMarks> marksIn(std::string_view level, const toml::node& node
 
 } // namespace
 
-std::array<std::int32_t, 3> marksOf(const std::vector<std::int32_t>& scores) {
-    std::array<std::int32_t, 3> marks{};
-    for (std::size_t i = 0; i < marks.size(); ++i) {
-        const std::int32_t score = quantile(scores, kMedalShares[i]);
-        marks[i] = std::max(1, (score + kMedalStep - 1) / kMedalStep) * kMedalStep;
-    }
-    return marks;
+std::array<std::int32_t, 3> scoresForMedals(const std::vector<std::int32_t>& lazy,
+                                            const std::vector<std::int32_t>& good,
+                                            const std::vector<std::int32_t>& absent) {
+    const auto rounded = [](std::int32_t score) { // up, to one of the marks
+        return std::max(1, (score + kMedalStep - 1) / kMedalStep) * kMedalStep;
+    };
+    const std::int32_t bronze = rounded(quantile(lazy, 1 - kBronzeShare));
+    const std::int32_t idle = absent.empty() ? 0 : *std::max_element(absent.begin(), absent.end());
+    const std::int32_t silver = rounded(
+        std::max({quantile(lazy, 1 - kSilverShare), quantile(good, 1 - kSilverShare), idle + 1}));
+    const auto gold = static_cast<std::int32_t>((1 + kGoldOver) * silver);
+    return {bronze, silver, rounded(gold)};
 }
 
-std::array<std::int32_t, 3> raisedAbove(std::array<std::int32_t, 3> marks, std::int32_t score) {
-    if (marks[1] <= score) {
-        marks[1] = (score / kMedalStep + 1) * kMedalStep;
-        marks[2] = std::max(marks[2], marks[1] + kMedalStep);
-    }
-    return marks;
-}
-
-MedalMarks measureMedals(const Level& level, std::uint32_t seeds, std::uint32_t mostTicks) {
-    std::vector<std::int32_t> scores;
-    std::vector<std::int32_t> falls;
-    std::vector<std::int32_t> hits; // of won games
-    for (const BotKind skill : kSkills) {
-        for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
-            const BotRun run = runBot(level, seed, mostTicks, skill);
-            scores.push_back(run.score);
-            falls.push_back(run.largestFall);
+MedalGames playForMedals(const Level& level, std::uint32_t seeds, std::uint32_t mostTicks) {
+    const auto play = [&](BotKind kind, std::uint32_t count) {
+        PlayedGames games;
+        for (std::uint32_t seed = 1; seed <= count; ++seed) {
+            const BotRun run = runBot(level, seed, mostTicks, kind);
+            games.scores.push_back(run.score);
+            games.falls.push_back(run.largestFall);
             if (run.result == Result::Won) {
-                hits.push_back(run.paddleHits);
+                games.hits.push_back(run.paddleHits);
             }
         }
+        return games;
+    };
+    return {.lazy = play(BotKind::Lazy, seeds),
+            .good = play(BotKind::Good, seeds),
+            .absent = play(BotKind::Absent, kAbsentGames * seeds),
+            .planner = play(BotKind::Planner,
+                            isBuilding(level) ? std::max(1u, seeds / kPlannerShare) : 0)};
+}
+
+MedalMarks marksOf(const Level& level, const MedalGames& games) {
+    std::vector<std::int32_t> falls;
+    std::vector<std::int32_t> hits;
+    for (const PlayedGames* played : {&games.lazy, &games.good, &games.planner}) {
+        falls.insert(falls.end(), played->falls.begin(), played->falls.end());
+        hits.insert(hits.end(), played->hits.begin(), played->hits.end());
     }
-    std::int32_t absent = 0;
-    for (std::uint32_t seed = 1; seed <= kAbsentGames * seeds; ++seed) {
-        absent = std::max(absent, runBot(level, seed, mostTicks, BotKind::Absent).score);
-    }
-    MedalMarks marks{level.name, digestOf(level), raisedAbove(marksOf(scores), absent)};
+    MedalMarks marks{level.name, digestOf(level),
+                     scoresForMedals(games.lazy.scores, games.good.scores, games.absent.scores)};
     const std::int32_t fall = quantile(std::move(falls), kOneFallShare);
     marks.oneFall = fall >= kLeastOneFall ? fall : 0;
     marks.fewHits = hits.empty() ? 0 : std::max(1, quantile(std::move(hits), kFewHitsShare));

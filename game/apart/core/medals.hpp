@@ -29,9 +29,11 @@ struct MedalMarks {
     friend bool operator==(const MedalMarks&, const MedalMarks&) = default;
 };
 
-// Shares of the measured games that a score must reach for bronze, silver and gold. The games are
-// those of the bots of all skills, so half of them are played badly.
-inline constexpr std::array<double, 3> kMedalShares = {0.5, 0.75, 0.95};
+// Bronze is reached by kBronzeShare of the games of the lazy bot, silver by kSilverShare of those
+// of the lazy and of the good one at most. Gold lies above silver by kGoldOver of it.
+inline constexpr double kBronzeShare = 0.75;
+inline constexpr double kSilverShare = 0.3;
+inline constexpr double kGoldOver = 0.15;
 inline constexpr std::int32_t kMedalStep = 50; // marks are multiples of it
 
 // Share of the won games that need as few hits, and share of all games without as large a collapse.
@@ -39,19 +41,35 @@ inline constexpr double kFewHitsShare = 0.1;
 inline constexpr double kOneFallShare = 0.9;
 inline constexpr std::int32_t kLeastOneFall = 5; // blocks; levels with smaller collapses have none
 
-// Games of the absent player, which needs no skill, for each game of a skill.
-inline constexpr std::uint32_t kAbsentGames = 4;
+/// Games of one bot on a level, seed by seed.
+struct PlayedGames {
+    std::vector<std::int32_t> scores{};
+    std::vector<std::int32_t> hits{}; // of the paddle, of won games
+    std::vector<std::int32_t> falls{};
+};
 
-/// Measures the marks of a level: bots of each skill play `seeds` games, with seeds 1, 2, ..., of
-/// at most `mostTicks`. A mark is the quantile of their scores, rounded up. Silver and gold are
-/// above the best of kAbsentGames * `seeds` games of the absent player.
-MedalMarks measureMedals(const Level& level, std::uint32_t seeds, std::uint32_t mostTicks);
+/// What the marks of a level are measured on.
+struct MedalGames {
+    PlayedGames lazy;
+    PlayedGames good;
+    PlayedGames absent;  // needs no skill
+    PlayedGames planner; // shows that gold can be reached; on levels with a building
+};
 
-/// The quantiles of some scores at kMedalShares, rounded up. At least one score.
-std::array<std::int32_t, 3> marksOf(const std::vector<std::int32_t>& scores);
+// Games of the absent player and of the planner, for `seeds` of the others.
+inline constexpr std::uint32_t kAbsentGames = 4;  // times
+inline constexpr std::uint32_t kPlannerShare = 4; // of them
 
-/// The marks, with silver and gold raised above a score, and gold above silver.
-std::array<std::int32_t, 3> raisedAbove(std::array<std::int32_t, 3> marks, std::int32_t score);
+/// Plays `seeds` games of the lazy and of the good bot, and others in proportion, with seeds 1, 2,
+/// ..., of at most `mostTicks`.
+MedalGames playForMedals(const Level& level, std::uint32_t seeds, std::uint32_t mostTicks);
+/// Silver and gold are above the best game of the absent player too.
+MedalMarks marksOf(const Level& level, const MedalGames& games);
+
+/// Bronze, silver and gold from scores of the lazy, the good and the absent bot.
+std::array<std::int32_t, 3> scoresForMedals(const std::vector<std::int32_t>& lazy,
+                                            const std::vector<std::int32_t>& good,
+                                            const std::vector<std::int32_t>& absent);
 
 /// The medal of a score; None if there are no marks for this level.
 Medal medalOf(std::int32_t score, const std::string& level, std::span<const MedalMarks> marks);

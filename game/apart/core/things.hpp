@@ -12,7 +12,7 @@ namespace apart {
 
 // State of a game besides its World.
 
-/// Pure: no rule changes the path of a ball at a contact.
+/// Pure: no rule changes the path of a ball at a contact, nor its mass.
 enum class Mode : std::uint8_t { Standard, Pure };
 inline constexpr std::array<std::string_view, 2> kModeNames = {"standard", "pure"};
 
@@ -88,6 +88,7 @@ struct Ball {
     kodo::BodyId body;
     kodo::Vec2 heading;  // unit; last direction of flight
     bool riding = false; // on the paddle, waiting for the serve
+    bool hollow = false; // served, and not returned by a moved paddle
     BallKind kind = BallKind::Round;
     std::uint32_t carriedTicks = 0; // slow on a dynamic bar or block
 };

@@ -12,7 +12,7 @@ namespace apart {
 using kodo::Real;
 
 // To be raised whenever the same inputs give another game. Older replays are then refused.
-inline constexpr std::uint32_t kRulesVersion = 31;
+inline constexpr std::uint32_t kRulesVersion = 32;
 
 inline constexpr int kTicksPerSecond = 120;
 inline constexpr Real kTickSeconds = Real(1) / 120;
@@ -38,15 +38,19 @@ inline constexpr Real kEggLong = Real(0.42);    // from an egg's widest line to 
 inline constexpr Real kEggShort = Real(0.28);   // from its widest line to its blunt end
 inline constexpr Real kEggHalfWidth = Real(0.27);
 inline constexpr int kEggFacets = 20;
-inline constexpr Real kMostSpin = 25;          // rad/s; limit applied by the governor
-inline constexpr Real kLostDepth = Real(0.7);  // below the field; deeper balls are lost
-inline constexpr std::size_t kMostBalls = 8;   // further balls of a split become shards
-inline constexpr Real kSpeedUp = Real(0.35);   // relative gain of speed up to the last block
-inline constexpr Real kServeSlope = Real(0.6); // |x/y| of the flattest serve that is not aimed
-inline constexpr std::int16_t kMostAim = 1732; // 1/1000, |x/y| of the flattest aimed serve
-inline constexpr Real kServeSeconds = 1;       // of flight within which a serve is to meet a block
-inline constexpr int kServeDraws = 32;         // of directions, until one does
-inline constexpr Real kFarSight = 40;          // m; length of casts along a ball's path
+// In a level with a building a served ball is hollow until a paddle that has moved since the serve
+// returns it: launching alone brings no building down.
+inline constexpr Real kHollowShare = Real(1) / 16; // of the mass
+inline constexpr Real kMovedWay = Real(0.01);      // m in a tick; then the paddle has moved
+inline constexpr Real kMostSpin = 25;              // rad/s; limit applied by the governor
+inline constexpr Real kLostDepth = Real(0.7);      // below the field; deeper balls are lost
+inline constexpr std::size_t kMostBalls = 8;       // further balls of a split become shards
+inline constexpr Real kSpeedUp = Real(0.35);       // relative gain of speed up to the last block
+inline constexpr Real kServeSlope = Real(0.6);     // |x/y| of the flattest serve that is not aimed
+inline constexpr std::int16_t kMostAim = 1732;     // 1/1000, |x/y| of the flattest aimed serve
+inline constexpr Real kServeSeconds = 1; // of flight within which a serve is to meet a block
+inline constexpr int kServeDraws = 32;   // of directions, until one does
+inline constexpr Real kFarSight = 40;    // m; length of casts along a ball's path
 
 // The governor. A servo holds the speed along the heading. The smallest rotation at a contact keeps
 // a ball out of a cone around the horizontal, where it would bounce between the side walls for
@@ -67,18 +71,19 @@ inline constexpr Real kFlatSine = Real(0.1908090);   // sine of 11 degrees
 inline constexpr Real kFlatCosine = Real(0.9816272); // cosine of 11 degrees
 
 // The progress clock, in ticks without damage.
-inline constexpr std::uint32_t kGlowTicks = 720;   // 6 s: targets glow
-inline constexpr std::uint32_t kShakeTicks = 1440; // 12 s: mounts shake
-inline constexpr std::uint32_t kFailTicks = 2400;  // 20 s: the lowest mount fails
-inline constexpr std::uint32_t kFailEvery = 240;   // 2 s: interval of further failures
-inline constexpr std::int32_t kLastBlocks = 3;     // at most so many left: the clock runs faster
-inline constexpr std::uint32_t kLastHurry = 2;     // factor of the clock for the last blocks
-inline constexpr Real kTornSpeed = 7;              // m/s that a pull would give a free block; then
-                                                   // the mount of the block fails
-inline constexpr std::uint32_t kLooseTicks = 840;  // 7 s: lifetime of a loose block
-inline constexpr int kLoopTimes = 3;               // similar paddle hits that make a loop
-inline constexpr Real kLoopCell = Real(0.25);      // m; resolution of the place of a paddle hit
-inline constexpr Real kLoopHeading = Real(0.05);   // resolution of its heading; 3 degrees
+inline constexpr std::uint32_t kGlowTicks = 360;        // 3 s: targets glow
+inline constexpr std::uint32_t kShakeTicks = 660;       // 5.5 s: mounts shake
+inline constexpr std::uint32_t kFailTicks = 960;        // 8 s: the lowest mount fails
+inline constexpr std::uint32_t kHollowFailTicks = 2400; // 20 s: if all balls are hollow
+inline constexpr std::uint32_t kFailEvery = 240;        // 2 s: interval of further failures
+inline constexpr std::int32_t kLastBlocks = 3;    // at most so many left: the clock runs faster
+inline constexpr std::uint32_t kLastHurry = 2;    // factor of the clock for the last blocks
+inline constexpr Real kTornSpeed = 7;             // m/s that a pull would give a free block; then
+                                                  // the mount of the block fails
+inline constexpr std::uint32_t kLooseTicks = 840; // 7 s: lifetime of a loose block
+inline constexpr int kLoopTimes = 3;              // similar paddle hits that make a loop
+inline constexpr Real kLoopCell = Real(0.25);     // m; resolution of the place of a paddle hit
+inline constexpr Real kLoopHeading = Real(0.05);  // resolution of its heading; 3 degrees
 
 // The paddle is a dome, so that the bounce depends on the place of the hit. Its motor is limited in
 // force and energy, so that a heavier paddle has a lower acceleration and a lower top speed.
@@ -122,7 +127,7 @@ inline constexpr std::int32_t kCatchPoints = 100;
 inline constexpr std::int32_t kLifePoints = 1000;   // for each life left at the end
 inline constexpr std::int32_t kSparedPoints = 2000; // for what Level::keep spares
 // The prize of a won level: its blocks' points times this, divided by the hits of the paddle.
-inline constexpr std::int32_t kPrizeFactor = 16;
+inline constexpr std::int32_t kPrizeFactor = 32;
 inline constexpr std::uint32_t kHitTicks = 30; // 0.25 s: touches of the paddle in it are one hit
 inline constexpr std::int32_t kMostCombo = 8;  // largest factor of points
 
@@ -152,12 +157,13 @@ inline constexpr std::uint32_t kCollapseGap = 120; // 1 s without another block 
 inline constexpr std::int32_t kLeastCollapse = 3;  // blocks; a smaller collapse is no event
 inline constexpr std::uint32_t kTouchTicks = 12;   // 0.1 s: then contacts tell what carries a block
 inline constexpr Real kLandingSpeed = Real(1.5); // m/s, of a fallen block against what it lands on
-// A building is low once nothing has fallen for a while and the heights of its blocks that are
-// left, above the lowest one, add up to this share of the sum at the start. The next ball that the
-// paddle returns makes the rest crumble, the lowest block first.
-inline constexpr Real kLowShare = Real(0.25);
-inline constexpr std::uint32_t kLowTicks = 60;    // 0.5 s
-inline constexpr std::uint32_t kCrumbleTicks = 6; // from one block to the next
+// A building is down once nothing has fallen for a while and the heights of its standing blocks
+// that are left, above the lowest one, add up to this share of the sum at the start. The rest then
+// comes down: the lowest block breaks, and the next, under what they carry. A ball that is not
+// hollow must be in play.
+inline constexpr Real kDownShare = Real(0.5);
+inline constexpr std::uint32_t kDownTicks = 60;   // 0.5 s
+inline constexpr std::uint32_t kCrumbleTicks = 3; // from one block to the next
 
 // Force field of the paddle: acceleration towards or away from it, linear in the distance.
 inline constexpr Real kForceAcceleration = 36;        // m/s^2, at the paddle

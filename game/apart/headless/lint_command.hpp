@@ -26,12 +26,12 @@ int runDifficulty(const LintCommand& command);
 struct MedalsCommand {
     std::vector<std::string> levels; // names; empty: all of assets/levels
     std::string file;                // where other levels keep their marks; empty: print the table
-    std::uint32_t seeds = 5;         // games of each skill
+    std::uint32_t seeds = 10;        // games of the lazy and of the good bot
     std::uint32_t mostTicks = 3 * 14400; // of each game; six minutes
 };
 
-/// Measures the scores for medals and prints or writes them as the file assets/medals.toml. Returns
-/// 0.
+/// Measures the scores for medals and prints or writes them as the file assets/medals.toml. Prints
+/// hits and medals of each bot, as comments of that file. Returns 0.
 int runMedals(const MedalsCommand& command);
 
 } // namespace apart

@@ -4,6 +4,7 @@
 #include <apart/core/assets.hpp>
 #include <apart/core/bot.hpp>
 #include <apart/core/endless.hpp>
+#include <apart/core/player.hpp>
 #include <apart/core/replay.hpp>
 #include <apart/core/tuning.hpp>
 #include <apart/headless/lint_command.hpp>
@@ -66,10 +67,11 @@ int playBot(const BotOptions& options) {
     Game game(std::make_shared<const Level>(valueOrRefuse(loadLevel(name))), options.seed,
               options.mode.value_or(Mode::Standard));
     Recorder recorder(game, options.hashEvery);
+    Player player(options.player.value_or(BotKind::Good));
     {
         Progress progress;
         while (game.ticks() < options.ticks && game.result() == Result::Playing) {
-            const Input input = bot(game, options.player.value_or(BotKind::Good));
+            const Input input = player.next(game);
             game.tick(input);
             if (!options.record.empty()) {
                 recorder.record(input, game);
@@ -205,13 +207,15 @@ CLI::App* addLint(CLI::App& app, LintCommand& lint) {
 }
 
 CLI::App* addMedals(CLI::App& app, MedalsCommand& medals) {
-    CLI::App* command =
-        app.add_subcommand("medals", "Measure the scores for medals; print assets/medals.toml");
+    CLI::App* command = app.add_subcommand(
+        "medals",
+        "Measure the scores for medals; print assets/medals.toml, and what each bot wins");
     command->add_option("LEVEL", medals.levels, "Names of levels; all unless given");
     command->add_option("--file", medals.file,
                         "Write this file instead, in which other levels keep their marks");
     command
-        ->add_option("--seeds", medals.seeds, "Games of each skill on each level, 5 unless given")
+        ->add_option("--seeds", medals.seeds,
+                     "Games of the lazy and of the good bot on each level, 10 unless given")
         ->check(CLI::Range(1u, 10000u));
     command->add_option("--ticks", medals.mostTicks, "Longest game in ticks, 43200 unless given")
         ->check(CLI::Range(1u, kLongestReplay));
@@ -231,7 +235,7 @@ CLI::App* addSoak(CLI::App& app, SoakCommand& soak) {
     command->add_option("--longest", soak.longestGame, "Longest game in ticks, 72000 unless given")
         ->check(CLI::Range(1u, kLongestReplay));
     addChoice(*command, "--player", soak.player, kBotNames)
-        ->description("Kind of bot: each in turn, seed by seed, unless given");
+        ->description("Kind of bot: each but the planner in turn, seed by seed, unless given");
     addChoice(*command, "--mode", soak.mode, kModeNames)
         ->description("Rules of the game: each in turn unless given");
     command->add_flag("--json", soak.json, "Print one JSON object");

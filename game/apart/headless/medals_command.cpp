@@ -8,6 +8,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
+#include <numeric>
+#include <unistd.h>
 
 namespace apart {
 
@@ -30,6 +34,35 @@ std::vector<MedalMarks> merged(const std::vector<MedalMarks>& old,
     return all;
 }
 
+void printBotHead() {
+    fmt::print("# {:<18}", "medals by bot");
+    for (const char* name : {"planner", "good", "lazy", "absent"}) {
+        fmt::print(" {:>9}: hits  gold silver bronze  none", name);
+    }
+    fmt::print("\n");
+}
+
+/// Mean hits of the won games, and the number of games by medal.
+void printBot(const PlayedGames& games, const MedalMarks& marks) {
+    std::array<int, kMedalNames.size()> counts{};
+    for (const std::int32_t score : games.scores) {
+        ++counts[static_cast<std::size_t>(medalOf(score, marks.level, {&marks, 1}))];
+    }
+    const double sum = std::accumulate(games.hits.begin(), games.hits.end(), 0.0);
+    const double won = std::max(static_cast<double>(games.hits.size()), 1.0);
+    fmt::print(" {:>15.1f} {:>5} {:>6} {:>6} {:>5}", sum / won, counts[3], counts[2], counts[1],
+               counts[0]);
+}
+
+void printBotRow(const MedalGames& games, const MedalMarks& marks) {
+    fmt::print("# {:<18}", marks.level);
+    for (const PlayedGames* played : {&games.planner, &games.good, &games.lazy, &games.absent}) {
+        printBot(*played, marks);
+    }
+    fmt::print("\n");
+    std::fflush(stdout);
+}
+
 } // namespace
 
 int runMedals(const MedalsCommand& command) {
@@ -40,11 +73,15 @@ int runMedals(const MedalsCommand& command) {
     const std::vector<std::string> names =
         command.levels.empty() ? namesOfLevels() : command.levels;
     std::vector<MedalMarks> marks;
-    Progress progress;
+    Progress progress(STDOUT_FILENO);
+    printBotHead();
     for (const std::string& name : names) {
         progress.show(fmt::format("{}  {} of {} levels", name, marks.size(), names.size()));
-        marks.push_back(
-            measureMedals(valueOrRefuse(loadLevel(name)), command.seeds, command.mostTicks));
+        const Level level = valueOrRefuse(loadLevel(name));
+        const MedalGames games = playForMedals(level, command.seeds, command.mostTicks);
+        marks.push_back(marksOf(level, games));
+        progress.clear();
+        printBotRow(games, marks.back());
     }
     progress.clear();
     if (command.file.empty()) {

@@ -3,6 +3,7 @@
 #include <apart/core/bot.hpp>
 #include <apart/core/endless.hpp>
 #include <apart/core/game_observer.hpp>
+#include <apart/core/player.hpp>
 #include <apart/core/tuning.hpp>
 #include <apart/headless/refusal.hpp>
 #include <apart/headless/report.hpp>
@@ -19,7 +20,8 @@ namespace apart {
 
 namespace {
 
-constexpr std::uint32_t kReportEvery = 2048; // ticks
+constexpr std::uint32_t kReportEvery = 2048;              // ticks
+constexpr std::size_t kBotsInTurn = kBotNames.size() - 1; // the planner, the last, takes long
 
 /// Statistics of the games on one level, or on all.
 struct SoakStatistics {
@@ -105,11 +107,12 @@ struct Match {
 SoakStatistics soak(const Match& match, std::uint64_t mostTicks,
                     const std::function<void(std::uint32_t)>& show) {
     Game game(match.level, match.seed, match.mode);
+    Player player(match.player);
     GameObserver observer;
     SoakStatistics statistics{.level = match.level->name, .games = 1};
     std::uint64_t lastTicks = 0;
     while (game.result() == Result::Playing && game.ticks() < mostTicks) {
-        const Input input = bot(game, match.player);
+        const Input input = player.next(game);
         const double start = cpuSeconds();
         game.tick(input);
         statistics.gameSeconds += cpuSeconds() - start;
@@ -248,9 +251,9 @@ int runSoak(const SoakCommand& command) {
             const std::uint64_t left =
                 std::min<std::uint64_t>(command.longestGame, command.ticks - total.observed.ticks);
             const std::uint32_t turn = seed - command.firstSeed;
-            const Match match{
-                level, seed, command.player.value_or(static_cast<BotKind>(turn % kBotNames.size())),
-                command.mode.value_or(static_cast<Mode>(turn % kModeNames.size()))};
+            const Match match{level, seed,
+                              command.player.value_or(static_cast<BotKind>(turn % kBotsInTurn)),
+                              command.mode.value_or(static_cast<Mode>(turn % kModeNames.size()))};
             SoakStatistics game = soak(match, left, [&](std::uint32_t ticks) {
                 progress.show(fmt::format("{}, seed {}: {} of {} ticks, {} games", level->name,
                                           seed, total.observed.ticks + ticks, command.ticks,

@@ -19,7 +19,7 @@ struct SoakCommand {
     std::uint32_t firstSeed = 1;
     std::uint32_t endless = 0;                 // additional endless levels for each seed
     std::uint32_t longestGame = 10 * 60 * 120; // ticks
-    std::optional<BotKind> player;             // nullopt: each in turn
+    std::optional<BotKind> player;             // nullopt: each but the planner in turn
     std::optional<Mode> mode;                  // nullopt: each in turn
     bool json = false;
 };

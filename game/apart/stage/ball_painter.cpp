@@ -115,6 +115,9 @@ void paintBall(Canvas& canvas, const Moment& moment, const Ball& ball) {
         colors.push_back(mix(darker(color, 0.2f), color, up));
     }
     canvas.polygon(body, colors);
+    if (ball.hollow) {
+        canvas.disc(squash(center), Real(0.62) * kBallRadius, palette::kInk, palette::kInk);
+    }
     paintKind(canvas, kind, place, squash);
     canvas.disc(center + Vec2{Real(-0.09), Real(0.09)}, Real(0.1), {255, 255, 255, 255},
                 {255, 255, 255, 0});

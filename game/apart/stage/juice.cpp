@@ -67,8 +67,8 @@ void Juice::tick(const Game& game) {
     age();
     take(game, game.events());
     const Counts& counts = game.counts();
-    if (counts.lowTick > 0 && counts.lowTick == now_) {
-        say(game, {"return the ball: it is down", {0, Real(16.4)}, palette::kAccent, Real(0.8)});
+    if (counts.isDown() && counts.downTick == now_) {
+        say(game, {"it is down", {0, Real(16.4)}, palette::kAccent, Real(0.8)});
     }
     followBalls(game);
     for (const Part& part : game.parts()) {

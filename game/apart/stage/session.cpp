@@ -179,7 +179,7 @@ std::optional<Replay> Session::record() const {
 
 std::optional<Rerun> Session::rerun() const {
     const std::uint32_t down =
-        game().counts().lowTick > 0 ? game().counts().lowTick : statistics_.ticks;
+        game().counts().isDown() ? game().counts().downTick : statistics_.ticks;
     const bool ends = statistics_.lastFall >= kWorthRerun && game().result() == Result::Won &&
                       down <= statistics_.lastFallTick + kTicksPerSecond;
     if (!ends || !beforeFall_ || !record_) {
