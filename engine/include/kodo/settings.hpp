@@ -59,7 +59,9 @@ struct SoftSettings {
     Real jointHertz =
         60; // > 0, up to 1e9; joint stiffness in loops; at most 1/4 of the substep rate
     Real jointDamping = 1; // > 0, up to 1e6; damping ratio of joints in loops
-    Real pushSpeed = 3;    // > 0, up to 1e7; length units/s; largest speed that separates overlaps
+    /// > 0, up to 1e7; length units/s; largest speed that separates overlaps, and that closes the
+    /// gaps of articulated trees, such as chains.
+    Real pushSpeed = 3;
 
     friend bool operator==(const SoftSettings&, const SoftSettings&) = default;
 };

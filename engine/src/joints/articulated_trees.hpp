@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -29,6 +30,9 @@ struct JointPass {
     bool settle = true;   // false: a tree may leave its relax pass to the next substep
     bool last = true;     // of a substep, if not biased: adds the impulses to the sums of the step
     ErrorRemoval errors = ErrorRemoval::ByVelocity;
+    /// m/s; largest velocity that closes a gap of a tree. A tree that touches something has a
+    /// quarter of it.
+    Real mostBias = std::numeric_limits<Real>::infinity();
 };
 
 /// The rigid constraints of one joint, on the motion of b relative to a at anchor b: along x and y,
@@ -98,8 +102,9 @@ public:
     /// The rows of a joint of a tree; nullptr for other joints.
     HeldRows* rowsOf(std::uint32_t joint);
 
-    /// Finds the lazy trees. The flag `hinge` of their rows must be set.
-    void findLazy(const Bodies& bodies);
+    /// Finds the trees that touch something, and the light ones. The flag `hinge` of their rows
+    /// must be set.
+    void findTouched(const Bodies& bodies);
     bool allLazy() const {
         return std::all_of(trees_.begin(), trees_.end(),
                            [](const Tree& tree) { return tree.lazy; });
@@ -130,6 +135,7 @@ private:
         std::uint32_t child = kNone;  // index in members_
         std::uint32_t parent = kNone; // index in members_
         bool childIsB = true;
+        bool touched = false; // a body of the tree touches something
         HeldRows rows{};
         Symmetric3 carried{}; // A'
         Triple answer{};      // u

@@ -289,7 +289,7 @@ void JointSet::listHinges(const Bodies& bodies) {
                            revolute->ends.anchorA - bodies.geometry(edge.a).mass.center,
                            revolute->ends.anchorB - bodies.geometry(edge.b).mass.center, rows});
     }
-    trees_.findLazy(bodies);
+    trees_.findTouched(bodies);
     std::erase_if(own_, [&](std::uint32_t index) {
         const HeldRows* const rows = trees_.rowsOf(index);
         return rows != nullptr && rows->hinge;

@@ -345,15 +345,15 @@ void Propagation::solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints
     JointPass pass{.h = h,
                    .stiff = Softness::from(settings.jointHertz, settings.jointDamping, h),
                    .biased = true,
-                   .errors = ErrorRemoval::ByDisplacement};
+                   .errors = ErrorRemoval::ByDisplacement,
+                   .mostBias = settings.pushSpeed * step.tolerances.unit()};
     const bool several = settings.substeps > 1;
     if (several) {
         assignReusing(strongest_, store.size(), StrongestGroup{});
     }
     visits_ = 0;
     joints.beginStep();
-    joints.boundBias(contactSet, step.tolerances.slop,
-                     settings.pushSpeed * step.tolerances.slop * Tolerances::kSlopsPerUnit);
+    joints.boundBias(contactSet, step.tolerances.slop, pass.mostBias);
     joints.beginGroup(bodies, DirectSolve::EveryTree);
     for (int part = 0; part < settings.substeps; ++part) {
         substep_ = step.count * static_cast<std::uint64_t>(settings.substeps) +

@@ -202,6 +202,7 @@ void SoftSolver::solveGroup(Bodies& bodies, ContactSet& contactSet, JointSet& jo
         std::min(soft.jointHertz * static_cast<Real>(parts), kMostJointCycles / h);
     JointPass jointPass{h, Softness::from(jointHertz, soft.jointDamping, h)};
     jointPass.springPasses = kSpringPasses;
+    jointPass.mostBias = soft.pushSpeed * tolerances.unit();
     joints.beginGroup(bodies, DirectSolve::LoadedTrees, refinement_.levels(), level);
     joints.scaleImpulses(1 / static_cast<Real>(parts));
     revolutes_.begin(bodies, joints);
