@@ -156,5 +156,30 @@ TEST(KinematicImpact, ABallStaysInAClosedBoxThatTurns) {
     }
 }
 
+// F5: a disc that moves by its radius in a step, and a ball off its line. The ball leaves along the
+// normal of the first touch, wherever in the step that is.
+TEST(KinematicImpact, ABallOffTheLineOfADiscLeavesAlongTheNormal) {
+    const Material smooth = support::slippery();
+    const Real aside = Real(0.4);
+    const Real reach = Real(0.75); // m, of both radii
+    const Vec2 normal{std::sqrt(reach * reach - aside * aside) / reach, aside / reach};
+    for (int i = 0; i < 100; ++i) {
+        SCOPED_TRACE(i);
+        World world;
+        world.add({.shape = Circle{Real(0.5)},
+                   .velocity = {30, 0},
+                   .material = smooth,
+                   .type = BodyType::Kinematic});
+        const Real start = 2 + Real(0.005) * static_cast<Real>(i);
+        const BodyId ball = world.add(
+            {.shape = Circle{Real(0.25)}, .position = {start, aside}, .material = smooth});
+        support::run(world, 20);
+        const Vec2 velocity = world[ball].velocity();
+        const Real speed = 30 * normal.x; // of the disc along the normal
+        EXPECT_NEAR(dot(velocity, normal), speed, Real(0.01) * speed);
+        EXPECT_NEAR(cross(velocity, normal), 0, Real(0.02) * speed);
+    }
+}
+
 } // namespace
 } // namespace kodo

@@ -29,15 +29,6 @@ Real harmlessOverlap(const Bodies& bodies, const ContactKey& key) {
            2;
 }
 
-/// Sets the component of `push` along `normal` to that of `way` (m), the displacement of a surface
-/// that recedes, so that the body stays at it.
-void follow(Vec2& push, Vec2 normal, Vec2 way) {
-    const Real there = dot(normal, push);
-    if (there <= 0) {
-        push += (dot(normal, way) - there) * normal;
-    }
-}
-
 /// Removes the component of `push` into a static surface.
 void holdBack(Vec2& push, Vec2 normal) {
     push -= std::min(dot(normal, push), Real(0)) * normal;
@@ -88,10 +79,11 @@ void ContinuousCollision::findPushes(const Step& step) {
     }
 }
 
-/// A body that meets a kinematic body within the step, or a body pushed by one, is pushed along,
-/// but not into a static body. With restitution, the impact of the next step makes it faster; it is
-/// pushed only where the kinematic body would be past it by then. If the kinematic body recedes, it
-/// is followed: across a gap, the next step would have no impact.
+/// A body that meets a kinematic body within the step is carried along with it for the rest of the
+/// step, as it keeps its place against a static body: the next step then has the same contact in
+/// both cases. A body that meets a pushed one is pushed along, but not into a static body. With
+/// restitution, the impact of the next step makes it faster; it is carried only where the kinematic
+/// body would be past it by then, or recedes.
 void ContinuousCollision::takePushedDisplacement(const Step& step, const Contact& contact,
                                                  Real time) {
     const ContactKey& key = contact.key;
@@ -125,8 +117,8 @@ void ContinuousCollision::takePushedDisplacement(const Step& step, const Contact
         Vec2& push = pushOf(body);
         if (step.bodies.locked(other) && !step.bodies.isMovingKinematic(other)) {
             holdBack(push, away);
-        } else if (overlap < 0 && step.bodies.locked(other)) {
-            follow(push, away, way);
+        } else if (step.bodies.locked(other)) {
+            push = way;
         } else {
             pushAlong(push, away, way);
         }
