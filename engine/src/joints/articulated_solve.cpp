@@ -375,20 +375,6 @@ void ArticulatedTrees::solveBatch(Bodies& bodies, const JointPass& pass) {
     }
 }
 
-void ArticulatedTrees::findTouched(const Bodies& bodies) {
-    for (Tree& tree : trees_) {
-        const std::span<const Member> members = membersOf(tree);
-        const bool touched = std::any_of(members.begin(), members.end(), [&](const Member& member) {
-            return (bodies.filter[member.body].flags & kColliding) != 0;
-        });
-        tree.light = !touched;
-        for (Node& node : nodesOf(tree)) {
-            node.touched = touched;
-            tree.light = tree.light && node.rows.hinge;
-        }
-    }
-}
-
 void ArticulatedTrees::solve(Bodies& bodies, const JointPass& pass) {
     batch_.clear();
     for (Tree& tree : trees_) {

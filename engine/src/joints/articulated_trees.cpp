@@ -221,5 +221,19 @@ bool ArticulatedTrees::growFrom(const Bodies& bodies, std::span<const Edge> edge
     return isTree;
 }
 
+void ArticulatedTrees::findTouched(const Bodies& bodies) {
+    for (Tree& tree : trees_) {
+        const std::span<const Member> members = membersOf(tree);
+        const bool touched = std::any_of(members.begin(), members.end(), [&](const Member& member) {
+            return (bodies.filter[member.body].flags & kColliding) != 0;
+        });
+        tree.light = !touched;
+        for (Node& node : nodesOf(tree)) {
+            node.touched = touched;
+            tree.light = tree.light && node.rows.hinge;
+        }
+    }
+}
+
 } // namespace KODO_PRECISION
 } // namespace kodo
