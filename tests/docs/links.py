@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Checks the links of all Markdown pages: the file exists, and the heading behind a `#` too. Links to
-other hosts are not followed. Exit code 0: all are well."""
+other hosts are not followed. Checks also how long the manual and the README take to read: half an
+hour at 240 words a minute, code included, and 800 words. Exit code 0: all are well."""
 import functools
 import pathlib
 import re
@@ -9,6 +10,8 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+WORDS_A_MINUTE = 240
+LONGEST = {"README.md": 800, "engine/docs/manual.md": 30 * WORDS_A_MINUTE}
 
 
 def prose_of(page):
@@ -44,7 +47,12 @@ def main():
                 bad.append(f"{page.relative_to(ROOT)}: {target}: no such file")
             elif anchor and place.suffix == ".md" and anchor not in anchors_of(place):
                 bad.append(f"{page.relative_to(ROOT)}: {target}: no such heading")
-    print("\n".join([*bad, f"{links} links of {len(pages)} pages, {len(bad)} wrong"]))
+    for name, limit in LONGEST.items():
+        words = len((ROOT / name).read_text(encoding="utf-8").split())
+        print(f"{name}: {words} words of at most {limit}")
+        if words > limit:
+            bad.append(f"{name}: {words - limit} words too long")
+    print("\n".join([*bad, f"{links} links of {len(pages)} pages, {len(bad)} mistakes"]))
     return 1 if bad or not links else 0
 
 

@@ -3,11 +3,13 @@
 """Checks the pages of engine/docs/migration.
 
     migration.py [LIST=HEADERS ...]     for example box2d_2_4=/usr/include/box2d
+    migration.py --write                writes the last table of the glossary
 
 Each page has a row for each name of its list in tests/docs/names, and for no other name. A first cell
 is groups of names, separated by `;`. A group is names outside of all types or, after `Type:` or below
 a heading with a type, members of that type. Names of Kodo in the second cell exist in the public
-headers, in kodo.h or in kodo_sfml; files exist. With HEADERS and Universal Ctags, a list is compared
+headers, in kodo.h or in kodo_sfml; files exist. The last table of the glossary has the names of both
+Box2D pages without a counterpart; of a type that has none, its members are left out. With HEADERS and Universal Ctags, a list is compared
 with the names of installed headers, where their version is that of the list. Exit code 0: all is well."""
 import collections
 import pathlib
@@ -120,11 +122,63 @@ def check_list(name, headers):
     return 1
 
 
+LACKING = re.compile(r"no |none|does not exist|do not exist|not public|not needed|not told|not stored|the engine |always on")
+GLOSSARY = ROOT / "engine/docs/glossary.md"
+
+
+def lacking_names():
+    """Names of both Box2D pages without a counterpart, by what to do instead."""
+    found = collections.defaultdict(list)
+    for name in ("box2d_2_4", "box2d_3"):
+        page = ROOT / "engine/docs/migration" / PAGES[name]
+        known = names_of(HERE / "names" / f"{name}.txt")
+        answers = collections.defaultdict(set)  # of all that belongs to a type
+        rows = []
+        for _, heading, cell, answer in rows_of(page):
+            for group in cell.split("; ") if answer else []:
+                head = re.match(r"`(\w+)`: ", group)
+                owner = head.group(1) if head else heading
+                for each in re.findall(r"`(\w+)`", group[head.end():] if head else group):
+                    inside = (owner, each) in known
+                    rows.append((owner if inside else None, each, answer))
+                    answers[owner if inside else each].add(answer)
+        for owner, each, answer in rows:
+            if not LACKING.match(answer):
+                continue
+            whole = owner is not None and all(map(LACKING.match, answers[owner]))
+            shown = f"`{owner}`" if whole else f"`{owner}::{each}`" if owner else f"`{each}`"
+            answer = re.sub(r"\]\(\.\./", "](", answer).replace("](#", f"](migration/{page.name}#")
+            if shown not in found[answer]:
+                found[answer].append(shown)
+    return found
+
+
+def glossary_table():
+    found = lacking_names()
+    rows = [f"| {', '.join(sorted(found[answer]))} | {answer} |" for answer in sorted(found)]
+    return "\n".join(["| Box2D | instead |", "|---|---|", *rows]) + "\n"
+
+
+def check_glossary(write):
+    text = GLOSSARY.read_text(encoding="utf-8")
+    start = text.rindex("| Box2D | instead |")
+    if text[start:] == glossary_table():
+        return 0
+    if write:
+        GLOSSARY.write_text(text[:start] + glossary_table(), encoding="utf-8")
+        return 0
+    print("the last table of glossary.md is not that of the pages: run tests/docs/migration.py --write")
+    return 1
+
+
 def main():
+    if sys.argv[1:] == ["--write"]:
+        return check_glossary(write=True)
     words = own_words()
     bad = 0
     for name, page in PAGES.items():
         bad += check_page(ROOT / "engine/docs/migration" / page, names_of(HERE / "names" / f"{name}.txt"), words)
+    bad += check_glossary(write=False)
     for argument in sys.argv[1:]:
         bad += check_list(*argument.split("=", 1))
     return 1 if bad else 0
