@@ -225,14 +225,14 @@ TEST(Game, AServedBallIsHollowUntilAPaddleThatHasMovedReturnsIt) {
     Game game(columns(), 1);
     game.tick({.launch = true, .aim = std::int16_t{0}});
     const Real full = kBallDensity * std::numbers::pi_v<Real> * kBallRadius * kBallRadius;
-    EXPECT_NEAR(massOf(game), kHollowShare * full, 1e-3 * full);
+    EXPECT_NEAR(massOf(game), kHollowShare * full, Real(1e-3) * full);
     const Game still = returned(0);
     EXPECT_EQ(still.counts().hits, 2);
     EXPECT_TRUE(still.balls()[0].hollow);
     const Game moved = returned(1000);
     EXPECT_EQ(moved.counts().hits, 2);
     EXPECT_FALSE(moved.balls()[0].hollow);
-    EXPECT_NEAR(massOf(moved), full, 1e-3 * full);
+    EXPECT_NEAR(massOf(moved), full, Real(1e-3) * full);
 }
 
 TEST(Building, BlocksThatFallTogetherAreOneCollapse) {

@@ -140,13 +140,15 @@ TEST(LooseBlock, BreaksAndCountsAfterItsTime) {
     GameTestAccess::shoot(game, {8, 9}, {0, 12});
     GameTestAccess::letGo(game, 1);
     std::uint32_t ticks = 0;
-    while (game.blocksLeft() == 2 && ticks <= kLooseTicks + 2) {
+    int left = 0;
+    while (eventOf<Broke>(game) == nullptr && ticks <= kLooseTicks + 2) {
+        left = game.blocksLeft(); // the mount of the other block may have failed before
         GameTestAccess::shoot(game, {8, 9}, {0, 12});
         game.tick({});
         ++ticks;
     }
     EXPECT_EQ(ticks, kLooseTicks + 1);
-    EXPECT_NE(eventOf<Broke>(game), nullptr);
+    EXPECT_EQ(game.blocksLeft(), left - 1);
 }
 
 TEST(LooseBlock, NeitherBreaksNorCountsAfterTheGame) {

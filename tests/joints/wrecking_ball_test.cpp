@@ -66,8 +66,8 @@ Real largestEnergy(const StepSettings& settings, Real density, Real rate, Real t
 // energy; with the solver of the thesis in 2 and 4.
 TEST(WreckingBall, GainsNoEnergyFromATower) {
     for (const StepSettings& settings : {balanced(), thesis2006()}) {
-        for (const Real density : {8, 20, 40}) { // kg/m^2: 20, 51, 102 kg
-            for (const Real rate : {60, 120, 240}) {
+        for (const Real density : {Real(8), Real(20), Real(40)}) { // kg/m^2: 20, 51, 102 kg
+            for (const Real rate : {Real(60), Real(120), Real(240)}) {
                 for (int i = 0; i < 6; ++i) {
                     const Real towerX = Real(-3.3) + Real(0.1) * static_cast<Real>(i);
                     EXPECT_LT(largestEnergy(settings, density, rate, towerX), Real(1.05))

@@ -202,7 +202,7 @@ def check_old_standard(include):
             continue
         command = (compiler, "-std=c++17", "-fsyntax-only", f"-I{include}", source)
         done = subprocess.run(command, capture_output=True, text=True, check=False)
-        errors = [line for line in done.stderr.splitlines() if "error" in line]
+        errors = [line for line in done.stderr.splitlines() if "error:" in line]
         check("compile with -std=c++20" in errors[0], f"{compiler} -std=c++17 says {errors[0]}")
 
 

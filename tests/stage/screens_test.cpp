@@ -441,8 +441,8 @@ TEST(Screens, ANoticeIsShownOnTheTitle) {
 // An earlier notice stays when another one is added; an equal one is not repeated.
 TEST(Screens, NoticesAreStackedOnTheTitle) {
     StageDef def = StageRig::playing();
-    def.levels = {glassLevel("One block", {7})};
-    def.bot = [](const Game& game) { return std::optional(bot(game)); };
+    def.levels = {glassLevel("Three blocks", {2, 7, 12})};
+    def.bot = [](const Game&) { return std::optional(Input{.launch = true}); };
     def.notices = {"Scores are reset."};
     def.keeping.save = [](const Profile&) { return std::string("Scores are not kept."); };
     def.keeping.keepReplay = [](const ReplayRun&, const std::string&) {

@@ -65,6 +65,15 @@ struct StageRig {
         def.pilot = [](const Game& game) { return std::optional(bot(game)); };
         return def;
     }
+    static StageDef playedStraight() { // by the bot, with a serve that is not aimed
+        StageDef def = playing();
+        def.pilot = [](const Game& game) {
+            Input input = bot(game);
+            input.aim.reset();
+            return std::optional(input);
+        };
+        return def;
+    }
 
     void frame(const Signals& signals = {}, double seconds = 1.0 / 60) {
         stage.advance(seconds, signals, speaker);

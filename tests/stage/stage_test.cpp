@@ -24,7 +24,7 @@ TEST(Stage, TheFrameRateDoesNotChangeTheGame) {
 TEST(Stage, TheGameRunsAtTheChosenSpeed) {
     std::vector<std::uint32_t> ticks;
     for (const int percent : {100, 50}) {
-        StageDef def = StageRig::played();
+        StageDef def = StageRig::playedStraight();
         def.profile.settings.speed = percent;
         StageRig rig(std::move(def));
         rig.frames(60);
@@ -41,7 +41,7 @@ TEST(Stage, AfterAStallTheGameSlowsDownInsteadOfCatchingUp) {
 }
 
 TEST(Stage, NothingInTheFieldIsDrawnOverABall) {
-    StageRig rig(StageRig::played());
+    StageRig rig(StageRig::playedStraight());
     int seen = 0;
     for (int i = 0; i < 200; ++i) {
         rig.frame();

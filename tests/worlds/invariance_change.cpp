@@ -100,9 +100,24 @@ void mirror(JointDef& def) {
             if constexpr (requires { joint.axis; }) {
                 joint.axis = mirrored(joint.axis);
             }
-            if constexpr (std::is_same_v<std::decay_t<decltype(joint)>, RevoluteJoint>) {
+            using Joint = std::decay_t<decltype(joint)>;
+            if constexpr (std::is_same_v<Joint, RevoluteJoint>) {
                 joint.motorSpeed = -joint.motorSpeed;
+                joint.target = -joint.target;
                 joint.limits = joint.limits ? std::optional(mirrored(*joint.limits)) : std::nullopt;
+            }
+            if constexpr (std::is_same_v<Joint, WheelJoint>) {
+                joint.motorSpeed = -joint.motorSpeed;
+            }
+            if constexpr (std::is_same_v<Joint, PulleyJoint>) {
+                joint.groundA = mirrored(joint.groundA);
+                joint.groundB = mirrored(joint.groundB);
+            }
+            if constexpr (std::is_same_v<Joint, GearJoint>) {
+                if (joint.rack) { // the same way, for the other angle
+                    joint.rack = mirrored(*joint.rack);
+                    joint.ratio = -joint.ratio;
+                }
             }
         },
         def);
@@ -232,10 +247,23 @@ void enlarge(JointDef& def, Real by) {
             if constexpr (std::is_same_v<Joint, DistanceJoint>) {
                 scale(joint.length, by);
                 scale(joint.limits, by);
+                scale(joint.motorSpeed, by);
             }
             if constexpr (std::is_same_v<Joint, PrismaticJoint>) {
                 scale(joint.motorSpeed, by);
                 scale(joint.limits, by);
+                scale(joint.target, by);
+            }
+            if constexpr (std::is_same_v<Joint, WheelJoint>) {
+                scale(joint.limits, by);
+            }
+            if constexpr (std::is_same_v<Joint, PulleyJoint>) {
+                scale(joint.groundA, by);
+                scale(joint.groundB, by);
+                scale(joint.length, by);
+            }
+            if constexpr (std::is_same_v<Joint, GearJoint>) {
+                scale(joint.ratio, joint.rack ? by : Real(1));
             }
         },
         def);
