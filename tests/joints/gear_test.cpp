@@ -89,6 +89,33 @@ TEST(GearJoint, ConservesAngularMomentumOnAFreeCarrier) {
 }
 
 // F1: the torque of a gear is that of its load: a motor on a turns b against a brake.
+// The hands of a clock: their axles are one, so the line between these has no direction.
+TEST(GearJoint, TurnsHandsOnOneAxle) {
+    for (const StepSettings& settings : {balanced(), accurate(), thesis2006()}) {
+        for (const double apart : {0.0, 1e-4, 1e-2}) { // m, between the axles
+            for (const double rate : {30.0, 60.0, 240.0}) {
+                World world({.settings = settings});
+                const BodyId wall = world.add({.type = BodyType::Static, .flags = kDisabled});
+                const Vec2 second{static_cast<Real>(apart), 0};
+                const BodyId minute = world.add({.shape = Box{2, Real(0.1), {1, 0}},
+                                                 .velocity = {0, -1},
+                                                 .angularVelocity = -1});
+                const BodyId hour = world.add({.shape = Box{1, Real(0.1), {Real(0.5), 0}},
+                                               .position = second,
+                                               .velocity = {0, Real(-0.5) / 12},
+                                               .angularVelocity = Real(-1) / 12});
+                world.add(RevoluteJoint{.ends = {.a = wall, .b = minute}});
+                world.add(RevoluteJoint{.ends = {.a = wall, .b = hour, .anchorA = second}});
+                world.add(GearJoint{.ends = {.a = minute, .b = hour}, .ratio = Real(1) / 12});
+                run(world, static_cast<int>(10 * rate), static_cast<Real>(1 / rate));
+                const double speed = static_cast<double>(world[minute].angularVelocity());
+                EXPECT_NEAR(speed, -1, 0.03) << apart << " m, " << rate << " Hz";
+                EXPECT_NEAR(static_cast<double>(world[hour].angularVelocity()), speed / 12, 0.005);
+            }
+        }
+    }
+}
+
 TEST(GearJoint, CarriesTheTorqueOfItsLoad) {
     for (const support::Solver solver : support::kSolvers) {
         Gears gears(BodyType::Static, -2, settingsOf(solver));

@@ -143,7 +143,8 @@ struct PulleyJoint {
 
 /// Gear joint. Both bodies rotate, as seen from the line between their anchors, so that the speed
 /// of b is `ratio` times that of a: negative for teeth, positive for a belt. With a rack, which is
-/// fixed to a, b rolls along it instead: `ratio` is its way (m) per rad.
+/// fixed to a, b rolls along it instead: `ratio` is its way (m) per rad. If the axle of b is held,
+/// the rack moves by -ratio per rad. On one axle, or nearly so, speeds are those in the World.
 struct GearJoint {
     JointEnds ends{};           // anchors: the axles; other joints hold them
     Real ratio = -1;            // not 0; within 1e3

@@ -73,6 +73,17 @@ inline bool countsTurns(const RevoluteJoint& joint) {
            (joint.limits && (joint.limits->lower < -kWithin || joint.limits->upper > kWithin));
 }
 
+/// False if the axles of a gear are so near, beside the size of its bodies, that the direction of
+/// their line is noise: as on one axle. The bodies then rotate as seen from the World.
+inline bool hasLine(const JointFrame& frame) {
+    constexpr Real kLeast = Real(1) / 16; // of the radius of gyration about the axle
+    const auto gyration = [](const BodyVelocity& body, Vec2 arm) {
+        return body.invInertia > 0 ? body.invMass / body.invInertia + lengthSquared(arm) : Real(0);
+    };
+    return lengthSquared(frame.gap) >
+           kLeast * kLeast * std::max(gyration(frame.a, frame.armA), gyration(frame.b, frame.armB));
+}
+
 /// Way of a gear from its initial mesh, at the end of the displacements: rad, or m along the rack.
 /// `start`: the same at the start of the step.
 inline Real slipOf(const GearJoint& joint, const JointFrame& frame, Real start) {
@@ -83,9 +94,9 @@ inline Real slipOf(const GearJoint& joint, const JointFrame& frame, Real start) 
         return start + dot(frame.rotationA * *joint.rack, frame.gap) -
                dot(frame.startA.rotation * *joint.rack, before) - joint.ratio * (turnB - turnA);
     }
-    const Real line = before == Vec2{} || frame.gap == Vec2{}
-                          ? Real(0)
-                          : Rot{dot(before, frame.gap), cross(before, frame.gap)}.angle();
+    const Real line = hasLine(frame) && before != Vec2{}
+                          ? Rot{dot(before, frame.gap), cross(before, frame.gap)}.angle()
+                          : Real(0);
     return start + turnB - joint.ratio * turnA - (1 - joint.ratio) * line;
 }
 
@@ -116,7 +127,7 @@ inline AxisConstraint ropeOf(const PulleyJoint& joint, const JointFrame& frame) 
 }
 
 /// The row of a gear. Teeth act where both bodies move alike: on the line through the anchors. So
-/// they conserve angular momentum, whatever holds the axles.
+/// they conserve angular momentum, whatever holds the axles. On one axle only the World holds them.
 inline AxisConstraint teethOf(const GearJoint& joint, const JointFrame& frame) {
     AxisConstraint row;
     if (joint.rack) {
@@ -124,8 +135,7 @@ inline AxisConstraint teethOf(const GearJoint& joint, const JointFrame& frame) {
         row.couple = -joint.ratio;
         row.leverA -= joint.ratio;
     } else {
-        const Real distance = lengthSquared(frame.gap);
-        const Vec2 across = distance > 0 ? perp(frame.gap) / distance : Vec2{};
+        const Vec2 across = hasLine(frame) ? perp(frame.gap) / lengthSquared(frame.gap) : Vec2{};
         row = linearAlong((joint.ratio - 1) * across, {}, frame);
         row.couple = 1;
         row.leverA += joint.ratio;
