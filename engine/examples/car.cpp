@@ -3,7 +3,6 @@
 // motor is changed on the way.
 #include <kodo/kodo.hpp>
 
-#include <algorithm>
 #include <cstdio>
 #include <vector>
 
@@ -15,7 +14,6 @@ int main() {
         ground.insert(ground.end(), {{x - 0.5f, 0}, {x, 0.15f}, {x + 0.5f, 0}});
     }
     ground.push_back({60, 0});
-    std::reverse(ground.begin(), ground.end()); // from right to left: solid below
     world.add({.shape = kodo::Chain{.points = ground},
                .material = kodo::withFriction(1),
                .type = kodo::BodyType::Static});

@@ -5,6 +5,7 @@
 
 #include <joints/rig.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace kodo {
@@ -260,6 +261,79 @@ TEST(JointSpring, TurnsAreInSnapshots) {
         run(*world, 60);
         EXPECT_TRUE(near(world->jointState(hinge).angle, 12, Real(0.02)));
         EXPECT_EQ(world->stateHash(), rig.world.stateHash());
+    }
+}
+
+/// Kinetic energy (J) of a row of bodies that start with velocities to and fro.
+double largestEnergyOfARow(const StepSettings& settings, bool hinges, int bodies, double ratio,
+                           double hertz, double damping, double& start) {
+    World world({.settings = settings});
+    BodyId last{};
+    for (int i = 0; i < bodies; ++i) {
+        const BodyId id = world.add({.shape = Box{1, Real(0.2)},
+                                     .position = {static_cast<Real>(i), 0},
+                                     .velocity = {0, static_cast<Real>(i == 0       ? 0
+                                                                       : i % 2 != 0 ? 1
+                                                                                    : -1)},
+                                     .density = static_cast<Real>(i % 2 != 0 ? 1 : ratio),
+                                     .type = i == 0 ? BodyType::Static : BodyType::Dynamic,
+                                     .flags = kDisabled});
+        const JointEnds ends{
+            .a = last, .b = id, .anchorA = {Real(0.5), 0}, .anchorB = {Real(-0.5), 0}};
+        if (i > 0 && hinges) {
+            world.add(RevoluteJoint{.ends = ends,
+                                    .hertz = static_cast<Real>(hertz),
+                                    .damping = static_cast<Real>(damping)});
+        } else if (i > 0) {
+            world.add(PrismaticJoint{.ends = ends,
+                                     .axis = {0, 1},
+                                     .hertz = static_cast<Real>(hertz),
+                                     .damping = static_cast<Real>(damping)});
+        }
+        last = id;
+    }
+    const auto energy = [&] {
+        double sum = 0;
+        for (const BodyId id : world.bodies()) {
+            const BodyView body = world[id];
+            if (body.type() == BodyType::Dynamic) {
+                const auto spin = static_cast<double>(body.angularVelocity());
+                sum += static_cast<double>(body.mass() * lengthSquared(body.velocity())) / 2 +
+                       static_cast<double>(body.inertia()) * spin * spin / 2;
+            }
+        }
+        return sum;
+    };
+    start = energy();
+    double most = 0;
+    for (int step = 0; step < 300; ++step) {
+        world.step(support::kDt);
+        most = std::max(most, energy());
+    }
+    return most;
+}
+
+// The damper of a stiff spring acted as if its bodies were free: three boxes with springs of 15 Hz
+// gained 1e13 of their energy.
+TEST(JointSpring, RowsOfStiffSpringsGainNoEnergy) {
+    for (const StepSettings& settings : {balanced(), accurate(), thesis2006()}) {
+        for (const bool hinges : {true, false}) {
+            for (const int bodies : {3, 4}) {
+                for (const double ratio : {1.0, 20.0, 1000.0}) {
+                    for (const double hertz : {3.0, 10.0, 15.0, 20.0, 30.0, 60.0, 1000.0}) {
+                        for (const double damping : {0.0, 1.0}) {
+                            double start = 0;
+                            const double most = largestEnergyOfARow(settings, hinges, bodies, ratio,
+                                                                    hertz, damping, start);
+                            EXPECT_LT(most, 1.2 * start)
+                                << (hinges ? "hinges, " : "sliders, ") << bodies
+                                << " bodies, 1 : " << ratio << ", " << hertz << " Hz, damping "
+                                << damping;
+                        }
+                    }
+                }
+            }
+        }
     }
 }
 

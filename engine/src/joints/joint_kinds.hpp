@@ -6,9 +6,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
+
+/// A spring of a joint that also holds its bodies. That is solved after the springs, so the damper
+/// of a lag would act on bodies as if they were free: rows of such springs gained energy. These
+/// springs become softer instead, see Softness::spring().
+template <typename Kind>
+inline constexpr bool kHeldSpring =
+    std::is_same_v<Kind, RevoluteJoint> || std::is_same_v<Kind, PrismaticJoint>;
 
 /// Visits the constraints of a joint: visit(PointConstraint, Vec2& impulse, Relax) or
 /// visit(AxisConstraint, Real& impulse, Relax).
@@ -176,7 +184,8 @@ private:
     Softness springOf(const Kind& joint, Real give, Real mass) const {
         const Real factor = mass > 0 ? std::sqrt(give / mass) : Real(1);
         return Softness::spring(factor * joint.hertz, factor * joint.damping, pass_.h,
-                                joint_.springBound);
+                                joint_.springBound,
+                                kHeldSpring<Kind> ? Real(0) : Softness::kMostLag);
     }
 
     void spring(AxisConstraint axis, std::size_t slot, Real error, const Softness& softness) {

@@ -317,7 +317,10 @@ void JointSet::measureHinges(Bodies& bodies, const JointPass& pass) {
 void JointSet::solveStiffSprings(Bodies& bodies, const JointPass& pass) {
     for (int k = 0; k < pass.springPasses; ++k) {
         for (const SpringRates::Spring& spring : springs_.all()) {
-            if (Softness::springLag(pass.h, spring.bound) == 0) {
+            const bool held = std::visit(
+                [](const auto& kind) { return kHeldSpring<std::decay_t<decltype(kind)>>; },
+                joints_[spring.joint].def);
+            if (held || Softness::springLag(pass.h, spring.bound) == 0) {
                 continue;
             }
             forConstraints(

@@ -28,6 +28,7 @@ struct Softness {
         const Real a3 = 1 / (1 + a2);
         return {omega / a1, a2 * a3, a3};
     }
+    static constexpr Real kMostLag = 32;
     /// Further damping of a spring that a substep of h (s) cannot carry, see spring(); else 0.
     static Real springLag(Real h, Real bound) {
         constexpr Real kMostAngle = Real(0.5); // rad
@@ -45,11 +46,10 @@ struct Softness {
     /// the step stable. The extension under a constant force stays exact. A lag above kMostLag
     /// would couple too many springs for the passes of a substep, so the stiffness is reduced
     /// instead.
-    static Softness spring(Real hertz, Real damping, Real h, Real bound) {
-        constexpr Real kMostLag = 32;
+    static Softness spring(Real hertz, Real damping, Real h, Real bound, Real mostLag = kMostLag) {
         constexpr Real kLeast = Real(1e-9); // the stiffness is stored as rate times scale
         const Real full = springLag(h, bound);
-        const Real lag = full < kMostLag ? full : kMostLag;
+        const Real lag = full < mostLag ? full : mostLag;
         const Real carried = (1 + lag) / (1 + full); // fraction of the stiffness
         const Real omega = 2 * std::numbers::pi_v<Real> * hertz * std::sqrt(carried);
         const Real loss = damping * h * omega;
