@@ -8,11 +8,11 @@
 
 namespace worlds {
 
+using Vec = OrdinaryBuilder::Vec;
+
 using namespace kodo;
 
 namespace {
-
-using Vec = OrdinaryBuilder::Vec;
 
 struct Family {
     const char* name;
