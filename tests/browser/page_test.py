@@ -144,7 +144,7 @@ class Trial:
         self.shot("title")
 
     def level(self):
-        self.browser.open(self.address + "#level=castle")
+        self.browser.open(self.address + "#level=quarry")
         self.expect(wait(self.browser, 0, lambda screen: screen == PLAYING), "a link starts a level")
         self.browser.press(" ")
         for key in ("left", "right", "left"):
