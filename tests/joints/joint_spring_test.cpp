@@ -302,18 +302,7 @@ std::array<double, 2> energiesOf(const StepSettings& settings, const Row& row) {
         }
         last = id;
     }
-    const auto energy = [&] {
-        double sum = 0;
-        for (const BodyId id : world.bodies()) {
-            const BodyView body = world[id];
-            if (body.type() == BodyType::Dynamic) {
-                const auto spin = static_cast<double>(body.angularVelocity());
-                sum += static_cast<double>(body.mass() * lengthSquared(body.velocity())) / 2 +
-                       static_cast<double>(body.inertia()) * spin * spin / 2;
-            }
-        }
-        return sum;
-    };
+    const auto energy = [&] { return static_cast<double>(support::totalsOf(world).kinetic); };
     const double start = energy();
     double most = 0;
     for (int step = 0; step < 300; ++step) {
