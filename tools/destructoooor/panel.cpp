@@ -208,7 +208,7 @@ void Panel::dialTab(Workbench& bench) {
         } catch (const kodo::BadDefinition& error) {
             bench.message = error.what();
         }
-        hint(std::string(one.what) + (one.price.empty() ? "" : "\n" + std::string(one.price)));
+        hint(std::string(one.what) + (one.price.empty() ? "" : "\n") + std::string(one.price));
     }
     ImGui::Separator();
     if (ImGui::Button("Reset")) {
