@@ -186,6 +186,27 @@ kodo::Aabb extentOf(const kodo::Shape& shape) {
     return kodo::aabbOf(std::span<const Vec2>(corners));
 }
 
+kodo::Aabb boundsOf(const PlacedShape& placed) {
+    std::optional<kodo::Aabb> bounds;
+    for (const kodo::Primitive& primitive : primitivesOf(placed.shape)) {
+        kodo::Aabb own;
+        if (const auto* circle = std::get_if<kodo::Circle>(&primitive)) {
+            const Vec2 center = placed.frame * circle->center;
+            own = kodo::Aabb{center, center}.grown(circle->radius);
+        } else {
+            std::vector<Vec2> corners;
+            for (const kodo::Polygon& polygon : polygonsOf(shapeOf(primitive))) {
+                for (const Vec2 corner : polygon.corners) {
+                    corners.push_back(placed.frame * corner);
+                }
+            }
+            own = kodo::aabbOf(std::span<const Vec2>(corners));
+        }
+        bounds = bounds ? unite(*bounds, own) : own;
+    }
+    return bounds.value_or(kodo::Aabb{});
+}
+
 kodo::Shape shapeOfBlock(kodo::BodyView body, std::size_t part, bool ownsBody) {
     if (!ownsBody || body.partCount() == 1) {
         const kodo::Primitive& primitive = body.part(part).primitive;

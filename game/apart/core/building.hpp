@@ -97,7 +97,8 @@ kodo::JointDef jointOf(const LinkDef& link, kodo::BodyView a, kodo::BodyView b);
 
 /// The polygons of a shape, in its frame. A circle becomes a polygon of the same area.
 std::vector<kodo::Polygon> polygonsOf(const kodo::Shape& shape);
-kodo::Aabb extentOf(const kodo::Shape& shape); // m, in its frame
+kodo::Aabb extentOf(const kodo::Shape& shape);  // m, in its frame
+kodo::Aabb boundsOf(const PlacedShape& placed); // m, in the field
 /// The shape of a block about its middle: of its body, or of one part of a body of many blocks.
 kodo::Shape shapeOfBlock(kodo::BodyView body, std::size_t part, bool ownsBody);
 

@@ -19,27 +19,6 @@ std::int32_t rounded(Real value) {
     return static_cast<std::int32_t>(std::lround(value * 1000));
 }
 
-Aabb boundsOf(const PlacedShape& placed) {
-    std::optional<Aabb> bounds;
-    for (const kodo::Primitive& primitive : primitivesOf(placed.shape)) {
-        Aabb own;
-        if (const auto* circle = std::get_if<kodo::Circle>(&primitive)) {
-            const Vec2 center = placed.frame * circle->center;
-            own = Aabb{center, center}.grown(circle->radius);
-        } else {
-            std::vector<Vec2> corners;
-            for (const kodo::Polygon& polygon : polygonsOf(shapeOf(primitive))) {
-                for (const Vec2 corner : polygon.corners) {
-                    corners.push_back(placed.frame * corner);
-                }
-            }
-            own = kodo::aabbOf(std::span<const Vec2>(corners));
-        }
-        bounds = bounds ? unite(*bounds, own) : own;
-    }
-    return bounds.value_or(Aabb{});
-}
-
 /// Places of a block whose bounds are given, so that it is between two walls.
 PlaceRange rangeOf(std::int32_t place, Real lower, Real upper, PlaceRange walls) {
     return {place + walls.low - rounded(lower), place + walls.high - rounded(upper)};

@@ -155,7 +155,7 @@ void BuildingReader::readBlock(const toml::table& table) {
     std::size_t before = keys_.faults();
     keys_.onlyKeys(table,
                    {"kind", "shape", "name", "x", "y", "width", "height", "thick", "radius", "span",
-                    "turn", "count", "step", "step-turn", "rows", "row-step", "mirror"},
+                    "turn", "flip", "count", "step", "step-turn", "rows", "row-step", "mirror"},
                    "block.");
     FreeBlock block;
     const std::optional<std::size_t> form = keys_.choice(table, "shape", kFormNames);
@@ -166,6 +166,7 @@ void BuildingReader::readBlock(const toml::table& table) {
     const std::int32_t lowest = block.form == Form::Voussoir || !formRead ? -kTop : 0;
     block.y = keys_.number(table, "y", {lowest, kTop, std::nullopt});
     block.turn = keys_.number(table, "turn", {-kFullTurn, kFullTurn, 0});
+    block.mirrored = keys_.flag(table, "flip");
     readSize(table, block);
     const std::size_t beforeCopies = keys_.faults();
     const Copies copies = copiesOf(table);
@@ -206,7 +207,7 @@ void BuildingReader::addCopies(const toml::table& table, const FreeBlock& block,
         copy.x = side * (block.x + offset.first);
         copy.y = block.y + offset.second;
         copy.turn = side * (block.turn + turn);
-        copy.mirrored = side < 0;
+        copy.mirrored = block.mirrored != (side < 0);
         const std::string own = copies.total() == 1 ? name : name + std::to_string(++number);
         if (!name.empty() &&
             !named_.emplace(own, static_cast<std::int32_t>(level_.freeBlocks.size())).second &&

@@ -110,6 +110,7 @@ public:
 
 private:
     friend struct GameTestAccess; // for tests
+    friend struct Trial;          // editor/trial.hpp
 
     GameState state_;
 };

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kMostObstructions = 64; // tables [[ground]]
 constexpr std::size_t kMostWells = 8;
 constexpr std::size_t kMostWaters = 4;
-constexpr std::size_t kMostTables = 200; // each of [[ledge]], [[block]] and [[joint]]
+constexpr std::size_t kMostTables = 240; // each of [[ledge]], [[block]] and [[joint]]
 
 constexpr std::int32_t thousandths(Real value) {
     return static_cast<std::int32_t>(value * 1000 + (value < 0 ? Real(-0.5) : Real(0.5)));

@@ -93,6 +93,7 @@ namespace apart {
 ///   height = 400            # the height
 ///   thick = 400             # 1/1000 m, of L and T; 400 unless given
 ///   turn = 90000            # 1/1000 degree, counter-clockwise; 0 unless given
+///   flip = true             # left and right of its shape exchanged, for a wedge or L
 ///   name = "beam"           # for joints; copies are beam1, beam2, ...
 ///   count = 4               # copies in a row; 1 unless given
 ///   step = [1600, 0]        # 1/1000 m, from one copy to the next

@@ -4,6 +4,7 @@
 #include <apart/core/game_observer.hpp>
 #include <apart/core/lint.hpp>
 #include <apart/core/player.hpp>
+#include <apart/core/standing_trial.hpp>
 #include <apart/core/tuning.hpp>
 #include <kodo/query.hpp>
 
@@ -219,35 +220,16 @@ private:
 
 /// Names the standing block that moves farthest without a serve.
 void judgeStanding(const Level& level, LintReport& report) {
-    constexpr std::uint32_t kUntouched = 60 * kTicksPerSecond;
-    constexpr Real kStill = Real(0.05); // m
-    Game game(level, 1);
-    const std::vector<Block> blocks(game.blocks().begin(), game.blocks().end());
-    Real farthest = kStill;
-    const Block* moved = nullptr;
-    while (!level.freeBlocks.empty() && game.ticks() < kUntouched) {
-        game.tick({});
-        for (const Block& block : blocks) {
-            const bool stands = block.support == Support::Standing;
-            const Real way =
-                !stands ? Real(0)
-                : !game.world().contains(block.body)
-                    ? kFieldHeight
-                    : length(game.world()[block.body].position() - block.home.position);
-            if (way > farthest) {
-                farthest = way;
-                moved = &block;
-            }
-        }
-    }
-    if (moved != nullptr) {
-        const Vec2 home = moved->home.position;
+    StandingTrial trial(std::make_shared<const Level>(level));
+    trial.advance(StandingTrial::kTicks);
+    if (const auto& moved = trial.farthest()) {
+        const Vec2 home = moved->block.home.position;
         report.problems.push_back(
             "untouched, the block of " +
-            std::string(kStuffNames[static_cast<std::size_t>(moved->kind.stuff)]) +
+            std::string(kStuffNames[static_cast<std::size_t>(moved->block.kind.stuff)]) +
             " at x = " + std::to_string(std::lround(1000 * home.x)) +
             ", y = " + std::to_string(std::lround(1000 * home.y)) + " moves by " +
-            std::to_string(std::lround(1000 * farthest)) + " mm in 60 s");
+            std::to_string(std::lround(1000 * moved->way)) + " mm in 60 s");
     }
 }
 
