@@ -43,6 +43,10 @@ x = -12000
 y = 100
 spacing = 2000
 heights = [900, 300, 0]
+[[ground]]
+points = [[-4000, 4000], [-1000, 3000], [-2000, 5000]]
+turf = "sand"
+mirror = true
 [[well]]
 x = 100
 y = 9000
@@ -66,7 +70,7 @@ TEST(LevelWords, AreParsedIntoALevel) {
     EXPECT_EQ(hanging.arm, 1200);
     EXPECT_EQ(hanging.pattern, Pattern::Radial);
     EXPECT_TRUE(level.kinds[level.cells[2].kind].core);
-    ASSERT_EQ(level.obstructions.size(), 4u); // those of the grid first, row by row
+    ASSERT_EQ(level.obstructions.size(), 6u); // those of the grid first, row by row
     EXPECT_EQ(level.obstructions[0].kind, ObstructionKind::Motor);
     EXPECT_EQ(level.obstructions[0].speed, -2500);
     EXPECT_EQ(level.obstructions[0].x, 11200); // centre of column 14
@@ -76,6 +80,11 @@ TEST(LevelWords, AreParsedIntoALevel) {
     EXPECT_EQ(level.obstructions[2].size, 800); // height of its cell
     EXPECT_EQ(level.obstructions[3].kind, ObstructionKind::Ground);
     EXPECT_EQ(level.obstructions[3].heights, (std::vector<std::int32_t>{900, 300, 0}));
+    const std::vector<GroundPoint> left{{-4000, 4000}, {-1000, 3000}, {-2000, 5000}};
+    const std::vector<GroundPoint> right{{2000, 5000}, {1000, 3000}, {4000, 4000}};
+    EXPECT_EQ(level.obstructions[4].points, left);
+    EXPECT_EQ(level.obstructions[4].turf, Turf::Sand);
+    EXPECT_EQ(level.obstructions[5].points, right);
     ASSERT_EQ(level.wells.size(), 1u);
     EXPECT_EQ(level.wells[0].strength, -60000);
 }
@@ -98,8 +107,16 @@ TEST(LevelWords, AreRefusedByLineIfInvalid) {
         {with("heights = [900, 300, 0]", "heights = [900]"),
          "test.toml:37: heights must be a list"},
         {with("[900, 300, 0]", "[900, -1, 0]"), "test.toml:37: each of heights must be"},
-        {with("[[well]]", "[well]"), "test.toml:38: well must be tables [[well]]"},
-        {with("strength = -60000", ""), "test.toml:38: the key strength is missing"},
+        {with("[-2000, 5000]]", "]"), "test.toml:39: points must be a list of 3 to 64 corners"},
+        {with("[-2000, 5000]", "[-2000, 2999]"), "test.toml:39: each of points must be two whole"},
+        {with("[-2000, 5000]", "[13001, 5000]"), "test.toml:39: each of points must be two whole"},
+        {with("[-2000, 5000]", "[-2000, 5000, 0]"), "test.toml:39: each of points must be two"},
+        {with("[-2000, 5000]]", "[-2000, 5000], [-3000, 3000]]"),
+         "test.toml:39: the outline of points crosses or touches itself"},
+        {with("\"sand\"", "\"mud\""), "test.toml:40: turf must be one of grass, rock, sand"},
+        {with("turf = \"sand\"", "x = 0"), "test.toml:40: unknown key ground.x"},
+        {with("[[well]]", "[well]"), "test.toml:42: well must be tables [[well]]"},
+        {with("strength = -60000", ""), "test.toml:42: the key strength is missing"},
     };
     for (const auto& [text, start] : cases) {
         const std::string problem = problemOf(text);

@@ -124,6 +124,21 @@ TEST(Ground, BouncesTheBallOffItsSlope) {
     EXPECT_GT(game.world()[ball].velocity().x, 11);
 }
 
+TEST(Ground, WithAnOutlineIsSolidFromAllSides) {
+    const Level level = levelOf(
+        "g..............\n", 12000, "",
+        "[[ground]]\npoints = [[-2000, 8000], [2000, 8000], [2000, 10000], [-2000, 10000]]\n");
+    const std::array<Vec2, 4> outwards = {Vec2{0, 1}, Vec2{0, -1}, Vec2{1, 0}, Vec2{-1, 0}};
+    for (const Vec2 outward : outwards) {
+        Game game(level, 1);
+        GameTestAccess::shoot(game, Vec2{0, 9} + Real(4) * outward, -Real(12) * outward);
+        const auto struck = playUntil<Struck>(game, {}, 60);
+        ASSERT_TRUE(struck);
+        EXPECT_EQ(struck->what, Role::Obstruction);
+        EXPECT_TRUE(near(struck->normal, outward, 1e-3));
+    }
+}
+
 // A hanging block in the middle of row 5, with its pin 1.6 m above.
 Game hung(const std::string& stuff) {
     return with("stuff = \"" + stuff + "\"\nstrength = 900000\nhold = \"hanging\"\narm = 1600");

@@ -60,6 +60,10 @@ kodo::BodyDef pieceDef(const Piece& piece, const PieceMotion& motion, const kodo
 
 // Obstructions. The bar of a motor turns about a pivot, a separate body.
 kodo::BodyDef obstructionDef(const ObstructionDef& def);
+/// The corners (m) of ground that has an outline.
+std::vector<kodo::Vec2> outlineOf(const ObstructionDef& ground);
+/// The same ground as convex polygons, for pictures.
+kodo::Shape solidOf(const ObstructionDef& ground);
 kodo::BodyDef pinDef(kodo::Vec2 place);
 kodo::BodyDef pivotDef(kodo::Vec2 place);
 

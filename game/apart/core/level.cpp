@@ -2,6 +2,8 @@
 #include <apart/core/level.hpp>
 #include <kodo/state_hash.hpp>
 
+#include <algorithm>
+
 namespace apart {
 
 namespace {
@@ -28,6 +30,11 @@ void add(kodo::StateHash& hash, const ObstructionDef& def) {
     for (const std::int32_t height : def.heights) {
         hash.add(height);
     }
+    for (const GroundPoint& point :
+         def.points) { // without an outline: the digest of older versions
+        hash.add(point.x);
+        hash.add(point.y);
+    }
 }
 
 void add(kodo::StateHash& hash, const FreeBlock& block) {
@@ -50,6 +57,12 @@ void add(kodo::StateHash& hash, const LinkDef& link) {
 }
 
 } // namespace
+
+bool hasGround(const Level& level) {
+    return std::any_of(
+        level.obstructions.begin(), level.obstructions.end(),
+        [](const ObstructionDef& def) { return def.kind == ObstructionKind::Ground; });
+}
 
 bool isBuilding(const Level& level) {
     const auto breaks = [&](const auto& block) { return level.kinds[block.kind].breakable(); };

@@ -116,11 +116,15 @@ enum class ObstructionKind : std::uint8_t {
     Pin,    // a fixed peg
     Motor,  // a bar turned by a motor
     Gate,   // a one-sided line: bodies pass from behind only
-    Ground, // a height map, solid from above
+    Ground, // an outline, solid from outside; or a height map, solid from above
     Ledge,  // a fixed rectangle to stand on
 };
 inline constexpr std::array<std::string_view, 6> kObstructionNames = {"bumper", "pin",    "motor",
                                                                       "gate",   "ground", "ledge"};
+
+/// What ground is made of. It changes the picture alone.
+enum class Turf : std::uint8_t { Grass, Rock, Sand, Timber };
+inline constexpr std::array<std::string_view, 4> kTurfNames = {"grass", "rock", "sand", "timber"};
 
 /// Direction of the front of a gate. Bodies that come from there bounce.
 enum class Facing : std::uint8_t { Up, Down, Left, Right };
@@ -154,6 +158,14 @@ struct Cell {
     friend bool operator==(const Cell&, const Cell&) = default;
 };
 
+/// A corner of ground.
+struct GroundPoint {
+    std::int32_t x = 0; // 1/1000 m
+    std::int32_t y = 0;
+
+    friend bool operator==(const GroundPoint&, const GroundPoint&) = default;
+};
+
 struct ObstructionDef {
     ObstructionKind kind = ObstructionKind::Bumper;
     std::int32_t x = 0; // 1/1000 m, of its centre; of the first height of a ground
@@ -162,7 +174,9 @@ struct ObstructionDef {
     std::int32_t speed = 0; // 1/1000 m/s of a bumper's kick, 1/1000 rad/s of a motor
     Facing facing = Facing::Up;
     std::int32_t spacing = 0;          // 1/1000 m, of a ground
-    std::vector<std::int32_t> heights; // 1/1000 m above y, of a ground; at least two
+    std::vector<std::int32_t> heights; // 1/1000 m above y, of a ground; at least two, or none
+    std::vector<GroundPoint> points{}; // outline of a ground without heights; at least three
+    Turf turf = Turf::Grass;           // of a ground with an outline
     std::int32_t height = 0;           // 1/1000 m, of a ledge
     std::int32_t turn = 0;             // 1/1000 degree, of a ledge
 
@@ -222,10 +236,12 @@ struct Level {
     friend bool operator==(const Level&, const Level&) = default;
 };
 
+bool hasGround(const Level& level);
+
 /// True if at least half of the blocks that break stand.
 bool isBuilding(const Level& level);
 
-/// Hash of all that affects play; leaves out name, title, idea, theme and place.
+/// Hash of all that affects play; leaves out name, title, idea, theme, place and turf.
 std::uint64_t digestOf(const Level& level);
 
 } // namespace apart

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/building_reader.hpp>
+#include <apart/core/field.hpp>
 #include <apart/core/legend_reader.hpp>
 #include <apart/core/level_file.hpp>
 #include <apart/core/toml_keys.hpp>
 #include <apart/core/tuning.hpp>
+#include <kodo/geometry.hpp>
 
 #include <algorithm>
 #include <map>
@@ -24,6 +26,8 @@ constexpr std::int32_t thousandths(Real value) {
 }
 constexpr std::int32_t kEdge = thousandths(kFieldWidth / 2);
 constexpr std::int32_t kTop = thousandths(kFieldHeight);
+constexpr std::int32_t kOuter = kEdge + 1000; // ground may end within a wall
+constexpr std::int32_t kLowestGround = 3000;  // above the leap of the paddle
 
 class LevelReader {
 public:
@@ -233,7 +237,60 @@ private:
         }
     }
 
+    void readOutline(const toml::table& table) {
+        keys_.onlyKeys(table, {"points", "turf", "mirror"}, "ground.");
+        ObstructionDef def;
+        def.kind = ObstructionKind::Ground;
+        def.turf = keys_.choice(table, "turf", kTurfNames, def.turf);
+        const bool mirror = keys_.flag(table, "mirror");
+        const toml::node& node = *table.get("points");
+        const toml::array* list = node.as_array();
+        if (list == nullptr || list->size() < 3 || list->size() > 64) {
+            keys_.fail(TomlKeys::lineOf(node),
+                       "points must be a list of 3 to 64 corners [x, y] of an outline");
+            return;
+        }
+        for (const toml::node& entry : *list) {
+            const std::optional<GroundPoint> point = pointOf(entry);
+            if (!point) {
+                keys_.fail(TomlKeys::lineOf(entry),
+                           "each of points must be two whole numbers: x from " +
+                               std::to_string(-kOuter) + " to " + std::to_string(kOuter) +
+                               ", y from " + std::to_string(kLowestGround) + " to " +
+                               std::to_string(kTop));
+                return;
+            }
+            def.points.push_back(*point);
+        }
+        if (!std::holds_alternative<kodo::Compound>(kodo::decompose(outlineOf(def)))) {
+            keys_.fail(TomlKeys::lineOf(node), "the outline of points crosses or touches itself");
+            return;
+        }
+        level_.obstructions.push_back(def);
+        if (mirror) {
+            std::reverse(def.points.begin(), def.points.end());
+            for (GroundPoint& point : def.points) {
+                point.x = -point.x;
+            }
+            level_.obstructions.push_back(std::move(def));
+        }
+    }
+
+    static std::optional<GroundPoint> pointOf(const toml::node& node) {
+        const toml::array* pair = node.as_array();
+        const auto* x = pair == nullptr || pair->size() != 2 ? nullptr : pair->get_as<int64_t>(0);
+        const auto* y = x == nullptr ? nullptr : pair->get_as<int64_t>(1);
+        const bool good = y != nullptr && x->get() >= -kOuter && x->get() <= kOuter &&
+                          y->get() >= kLowestGround && y->get() <= kTop;
+        return good ? std::optional(GroundPoint{static_cast<std::int32_t>(x->get()),
+                                                static_cast<std::int32_t>(y->get())})
+                    : std::nullopt;
+    }
+
     void readGround(const toml::table& table) {
+        if (table.contains("points")) {
+            return readOutline(table);
+        }
         keys_.onlyKeys(table, {"x", "y", "spacing", "heights"}, "ground.");
         ObstructionDef def;
         def.kind = ObstructionKind::Ground;

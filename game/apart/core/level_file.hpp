@@ -58,6 +58,11 @@ namespace apart {
 ///   y = 0
 ///   spacing = 1000          # 1/1000 m
 ///   heights = [900, 300, 0] # 1/1000 m above y; 2 to 64
+///   [[ground]]              # or an outline, solid from all sides
+///   points = [[-4000, 4000], [4000, 4000], [0, 5000]]
+///                           # 1/1000 m; 3 to 64 corners in order, each at y = 3000 or higher
+///   turf = "grass"          # grass rock sand timber: its picture; grass unless given
+///   mirror = true           # the same again with left and right exchanged
 ///   [[well]]                # attracts balls, shards, parts, loose and hanging blocks
 ///   x = 0
 ///   y = 9000

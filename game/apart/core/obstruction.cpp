@@ -2,6 +2,7 @@
 // Bodies of obstructions.
 #include <apart/core/field.hpp>
 #include <apart/core/tuning.hpp>
+#include <kodo/geometry.hpp>
 
 #include <numbers>
 
@@ -38,7 +39,10 @@ kodo::Segment gate(Real length, Facing facing) {
     return line;
 }
 
-kodo::Heightmap ground(const ObstructionDef& def) {
+kodo::Shape ground(const ObstructionDef& def) {
+    if (!def.points.empty()) {
+        return kodo::Chain{.points = outlineOf(def), .closed = true, .oneSided = true};
+    }
     kodo::Heightmap hills{{}, metres(def.spacing), {}};
     for (const std::int32_t height : def.heights) {
         hills.heights.push_back(metres(height));
@@ -47,6 +51,18 @@ kodo::Heightmap ground(const ObstructionDef& def) {
 }
 
 } // namespace
+
+std::vector<Vec2> outlineOf(const ObstructionDef& ground) {
+    std::vector<Vec2> outline;
+    for (const GroundPoint& point : ground.points) {
+        outline.push_back({metres(point.x), metres(point.y)});
+    }
+    return outline;
+}
+
+kodo::Shape solidOf(const ObstructionDef& ground) {
+    return std::get<kodo::Compound>(kodo::decompose(outlineOf(ground)));
+}
 
 kodo::BodyDef obstructionDef(const ObstructionDef& def) {
     kodo::BodyDef body{.position = {metres(def.x), metres(def.y)},

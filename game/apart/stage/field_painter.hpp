@@ -38,6 +38,7 @@ void paintWaterBehind(Canvas& canvas, const Moment& moment); // behind what is i
 void paintWaterBefore(Canvas& canvas, const Moment& moment); // its surface, and what runs out
 void paintLinks(Canvas& canvas, const Moment& moment);       // joints
 void paintObstructions(Canvas& canvas, const Moment& moment);
+void paintGround(Canvas& canvas, const ObstructionDef& ground); // with an outline
 void paintParts(Canvas& canvas, const Moment& moment);
 void paintPaddle(Canvas& canvas, const Moment& moment);
 void paintBalls(Canvas& canvas, const Moment& moment);

@@ -55,6 +55,15 @@ void paintBumper(Canvas& canvas, Vec2 place, Real size) {
 }
 
 void paintGround(Canvas& canvas, const Mapping& mapping, const ObstructionDef& def) {
+    if (!def.points.empty()) {
+        for (const kodo::Polygon& piece : polygonsOf(solidOf(def))) {
+            std::vector<Vec2> corners;
+            std::transform(piece.corners.begin(), piece.corners.end(), std::back_inserter(corners),
+                           [&](Vec2 corner) { return mapping.at(corner); });
+            canvas.polygon(corners, palette::kTurf[static_cast<std::size_t>(def.turf)]);
+        }
+        return;
+    }
     std::vector<Vec2> points;
     for (std::size_t i = 0; i < def.heights.size(); ++i) {
         const Real x = metres(def.x) + metres(def.spacing) * static_cast<Real>(i);

@@ -70,7 +70,7 @@ void paintGate(Canvas& canvas, const Moment& moment, const Obstruction& gate) {
     }
 }
 
-void paintGround(Canvas& canvas, const ObstructionDef& ground) {
+void paintHeights(Canvas& canvas, const ObstructionDef& ground) {
     const Color top = lighter(palette::kGround, 0.35f);
     for (std::size_t i = 0; i + 1 < ground.heights.size(); ++i) {
         const Real left = metres(ground.x) + metres(ground.spacing) * static_cast<Real>(i);
@@ -96,7 +96,7 @@ void paintLedge(Canvas& canvas, const kodo::ConvexShape& outline, const kodo::Tr
 void paintObstructions(Canvas& canvas, const Moment& moment) {
     for (const ObstructionDef& def : moment.game.level().obstructions) {
         if (def.kind == ObstructionKind::Ground) {
-            paintGround(canvas, def);
+            def.points.empty() ? paintHeights(canvas, def) : paintGround(canvas, def);
         }
     }
     for (const Obstruction& thing : moment.game.obstructions()) {

@@ -21,6 +21,11 @@ inline constexpr Color kDanger{255, 84, 92};
 inline constexpr Color kBumper{255, 128, 170};
 inline constexpr Color kMachine{156, 168, 196}; // motors, pins, gates
 inline constexpr Color kGround{92, 104, 92};
+// By Turf: of its depth, and of its upper edge.
+inline constexpr std::array<Color, 4> kSoil = {
+    {{74, 58, 48}, {70, 72, 84}, {112, 92, 62}, {84, 60, 42}}};
+inline constexpr std::array<Color, 4> kTurf = {
+    {{104, 150, 74}, {138, 142, 156}, {206, 180, 124}, {160, 118, 78}}};
 inline constexpr Color kWater{44, 120, 176};
 inline constexpr Color kFoam{196, 232, 246}; // surface and drops of water
 inline constexpr Color kBall{255, 248, 232};
