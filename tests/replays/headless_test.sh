@@ -26,6 +26,7 @@ json='^\{"level": "[a-z_]+", "seed": [0-9]+, "ticks": [0-9]+, "result": "[a-z]+"
 json="$json"'"lives": [0-9]+, "blocksLeft": [0-9]+, "stateHash": "[0-9a-f]{16}"'
 
 expect 0 'Usage' "$program" --help
+expect 0 '^aPart [0-9]+\.[0-9]+\.[0-9]+, rules [0-9]+$' "$program" --version
 expect 0 'APART_ASSETS names another folder of assets' "$program" --help
 expect 0 '^first_light ' "$program" levels
 expect 0 "$json\\}\$" "$program" bot --level mitosis --seed 7 --ticks 900 --record a.replay --json

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Destructoooor!: a sandbox of scenes in which every parameter of the simulation can be changed
 // [Thesis06, Appendix A].
+#include <kodo/version.hpp>
 #include <kodo_sfml/display.hpp>
 
 #include <CLI/CLI.hpp>
@@ -9,6 +10,7 @@
 #include <cstdio>
 #include <exception>
 #include <memory>
+#include <string>
 
 #include "imgui_host.hpp"
 #include "panel.hpp"
@@ -118,6 +120,9 @@ int run(int argc, char** argv) {
                  "destructoooor");
     app.footer("The window tells the keys, in the tab 'View'.\n"
                "Exit code: 0 done, 2 wrong use, 3 no display.");
+    app.set_version_flag("--version", "Kodo " + std::to_string(KODO_VERSION_MAJOR) + '.' +
+                                          std::to_string(KODO_VERSION_MINOR) + '.' +
+                                          std::to_string(KODO_VERSION_PATCH));
     app.add_option("--scene", options.scene, "Name of a scene, see --list")->capture_default_str();
     app.add_flag("--list", options.list, "Print all scenes, then exit");
     auto* picture = app.add_option("--picture", options.picture,

@@ -7,6 +7,7 @@
 #include <apart/core/player.hpp>
 #include <apart/core/replay.hpp>
 #include <apart/core/tuning.hpp>
+#include <apart/core/version.hpp>
 #include <apart/headless/lint_command.hpp>
 #include <apart/headless/refusal.hpp>
 #include <apart/headless/replay_commands.hpp>
@@ -268,6 +269,7 @@ int run(int argc, char** argv) {
         "endless, endless:SEED and endless:SEED:NUMBER are generated levels.\n"
         "Exit code: 0 success, 1 an unmet expectation, a diverging replay or a failed\n"
         "level check, 2 wrong use or a bad file.");
+    app.set_version_flag("--version", "aPart " + versionText());
     bool json = false;
     std::string file;
     BotOptions options;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/assets.hpp>
 #include <apart/core/text_file.hpp>
+#include <apart/core/version.hpp>
 #include <apart/sfml/options.hpp>
 
 #include <CLI/CLI.hpp>
@@ -21,6 +22,7 @@ std::variant<Options, int> parseOptions(int argc, char** argv) {
         "it last.replay, the last game, and best/, the best one of each level\n"
         "and mode, and the best endless runs. Files in levels/ there are levels of your own.\n"
         "Exit code: 0 done, 2 wrong use or a bad file, 3 no display.");
+    app.set_version_flag("--version", "aPart " + versionText());
     app.add_option("--level", options.level,
                    "Start with this level: the name of one of the game, or a file .toml,\n"
                    "which is read again whenever it changes")
