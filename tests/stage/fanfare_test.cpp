@@ -15,7 +15,7 @@ TEST(Fanfare, PlaysATuneWithFireworksAndEnds) {
     fanfare.begin();
     for (int tick = 0; tick < Fanfare::kTicks; ++tick) {
         EXPECT_FALSE(fanfare.done());
-        fanfare.tick(juice, 1, speaker);
+        fanfare.tick(juice, 1, Theme::Daybreak, speaker);
     }
     EXPECT_TRUE(fanfare.done());
     EXPECT_GE(speaker.notes.size(), 10u);
@@ -27,11 +27,11 @@ TEST(Fanfare, IsSilentAtOnceWhenItIsStopped) {
     Juice juice(1, {});
     RecordingSpeaker speaker;
     fanfare.begin();
-    fanfare.tick(juice, 1, speaker);
+    fanfare.tick(juice, 1, Theme::Daybreak, speaker);
     const std::size_t heard = speaker.notes.size();
     fanfare.stop();
     for (int tick = 0; tick < Fanfare::kTicks; ++tick) {
-        fanfare.tick(juice, 1, speaker);
+        fanfare.tick(juice, 1, Theme::Daybreak, speaker);
     }
     EXPECT_EQ(speaker.notes.size(), heard);
 }
@@ -42,7 +42,7 @@ TEST(Fanfare, WithoutVolumeHasFireworksOnly) {
     RecordingSpeaker speaker;
     fanfare.begin();
     for (int tick = 0; tick < Fanfare::kTicks; ++tick) {
-        fanfare.tick(juice, 0, speaker);
+        fanfare.tick(juice, 0, Theme::Daybreak, speaker);
     }
     EXPECT_TRUE(speaker.notes.empty());
     EXPECT_GT(juice.sparks().count(), 0u);

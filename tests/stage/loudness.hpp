@@ -46,11 +46,11 @@ inline Biquad highPassFilter(double rate) {
     return {{1, -2, 1}, {2 * (k * k - 1) / d, (1 - k / q + k * k) / d}};
 }
 
-/// Integrated loudness (LUFS) of interleaved stereo samples: blocks of 400 ms that overlap by 75 %,
-/// gated at -70 LUFS and at 10 LU below the mean [ITU-R BS.1770-4].
-inline double loudnessOf(std::span<const float> samples, double rate) {
+/// Energies of both channels after the K-weighting, of each tenth of a second of interleaved stereo
+/// samples [ITU-R BS.1770-4].
+inline std::vector<double> energiesOf(std::span<const float> samples, double rate) {
     const auto hop = static_cast<std::size_t>(rate / 10); // frames
-    std::vector<double> energies;                         // of each hop, both channels
+    std::vector<double> energies;
     std::array<Biquad, 2> shelf = {shelfFilter(rate), shelfFilter(rate)};
     std::array<Biquad, 2> pass = {highPassFilter(rate), highPassFilter(rate)};
     double sum = 0;
@@ -65,10 +65,28 @@ inline double loudnessOf(std::span<const float> samples, double rate) {
             sum = 0;
         }
     }
+    return energies;
+}
+
+inline double lufsOf(double energy) {
+    return -0.691 + 10 * std::log10(std::max(energy, 1e-12));
+}
+
+/// Means of `length` tenths of a second, which begin a tenth apart.
+inline std::vector<double> blocksOf(const std::vector<double>& energies, std::size_t length) {
     std::vector<double> blocks;
-    for (std::size_t i = 3; i < energies.size(); ++i) {
-        blocks.push_back((energies[i] + energies[i - 1] + energies[i - 2] + energies[i - 3]) / 4);
+    for (std::size_t i = length; i <= energies.size(); ++i) {
+        double sum = 0;
+        for (std::size_t j = i - length; j < i; ++j) {
+            sum += energies[j];
+        }
+        blocks.push_back(sum / static_cast<double>(length));
     }
+    return blocks;
+}
+
+/// Mean of the blocks above -70 LUFS and above `below` LU under the mean of these.
+inline double gatedMean(const std::vector<double>& blocks, double below) {
     const auto meanAbove = [&](double gate) {
         double all = 0;
         int count = 0;
@@ -78,10 +96,31 @@ inline double loudnessOf(std::span<const float> samples, double rate) {
         }
         return count > 0 ? all / count : 0.0;
     };
-    const auto energyOf = [](double lufs) { return std::pow(10, (lufs + 0.691) / 10); };
-    const double mean = meanAbove(energyOf(-70));
-    const double gated = meanAbove(std::max(mean / 10, energyOf(-70)));
-    return -0.691 + 10 * std::log10(std::max(gated, 1e-12));
+    const double least = std::pow(10, (-70 + 0.691) / 10);
+    return meanAbove(std::max(meanAbove(least) * std::pow(10, -below / 10), least));
+}
+
+/// Integrated loudness (LUFS) of interleaved stereo samples: blocks of 400 ms that overlap by 75 %,
+/// gated at -70 LUFS and at 10 LU below the mean [ITU-R BS.1770-4].
+inline double loudnessOf(std::span<const float> samples, double rate) {
+    return lufsOf(gatedMean(blocksOf(energiesOf(samples, rate), 4), 10));
+}
+
+/// Loudness range (LU): from the 10th to the 95th percentile of blocks of 3 s, without those at 20
+/// LU below the mean [EBU Tech 3342].
+inline double loudnessRangeOf(std::span<const float> samples, double rate) {
+    std::vector<double> blocks = blocksOf(energiesOf(samples, rate), 30);
+    const double gate = gatedMean(blocks, 10) / 100;
+    std::erase_if(blocks, [&](double block) { return block <= gate; });
+    if (blocks.empty()) {
+        return 0;
+    }
+    std::sort(blocks.begin(), blocks.end());
+    const auto at = [&](double share) {
+        return lufsOf(
+            blocks[static_cast<std::size_t>(share * static_cast<double>(blocks.size() - 1) + 0.5)]);
+    };
+    return at(0.95) - at(0.10);
 }
 
 /// Share of the time in which no channel exceeds `level`, in pieces of 50 ms.

@@ -2,6 +2,7 @@
 #include <apart/stage/dice.hpp>
 #include <apart/stage/fanfare.hpp>
 #include <apart/stage/palette.hpp>
+#include <apart/stage/score.hpp>
 
 #include <array>
 #include <cmath>
@@ -10,41 +11,45 @@ namespace apart {
 
 namespace {
 
+constexpr int kNote = 10; // semitones of Voice::Cleared, G, above A at 220 Hz
+
 struct Beat {
     int tick;
-    int semitones;
+    int degree; // of the scale of the theme
     float volume;
     bool firework;
 };
 constexpr std::array<Beat, 16> kTune = {{
     {0, 0, 0.8f, true},
-    {14, 4, 0.7f, false},
-    {28, 7, 0.7f, false},
-    {42, 12, 0.9f, true},
-    {70, 9, 0.7f, true},
-    {84, 12, 0.7f, false},
-    {98, 16, 0.9f, true},
-    {126, 14, 0.7f, false},
-    {140, 12, 0.7f, true},
-    {154, 14, 0.7f, false},
-    {168, 12, 0.9f, true}, // last chord, rising
-    {168, 16, 0.7f, true},
-    {168, 19, 0.6f, false},
-    {200, 24, 0.6f, true},
-    {230, 24, 0.3f, true},
-    {260, 24, 0.2f, true},
+    {14, 2, 0.7f, false},
+    {28, 4, 0.7f, false},
+    {42, 7, 0.9f, true},
+    {70, 5, 0.7f, true},
+    {84, 7, 0.7f, false},
+    {98, 9, 0.9f, true},
+    {126, 8, 0.7f, false},
+    {140, 7, 0.7f, true},
+    {154, 8, 0.7f, false},
+    {168, 7, 0.9f, true}, // last chord, rising
+    {168, 9, 0.7f, true},
+    {168, 11, 0.6f, false},
+    {200, 14, 0.6f, true},
+    {230, 14, 0.3f, true},
+    {260, 14, 0.2f, true},
 }};
 
 } // namespace
 
-void Fanfare::tick(Juice& juice, float volume, Speaker& speaker) {
+void Fanfare::tick(Juice& juice, float volume, Theme theme, Speaker& speaker) {
     for (std::size_t i = 0; i < kTune.size() && !done(); ++i) {
         const Beat& beat = kTune[i];
         if (beat.tick != tick_) {
             continue;
         }
         if (volume > 0) {
-            const float pitch = std::exp2(static_cast<float>(beat.semitones) / 12);
+            const Score& score = scoreOf(theme);
+            const int fromG = score.root + semitonesOf(score, beat.degree) - kNote;
+            const float pitch = std::exp2(static_cast<float>(fromG) / 12);
             speaker.play({Voice::Cleared, pitch, beat.volume * volume, 0});
         }
         if (beat.firework) {

@@ -10,13 +10,17 @@ namespace apart {
 namespace {
 
 // Gains that give -16 LUFS in a game with the settings at their start.
-constexpr float kEffects = 0.84f;
-constexpr float kMusic = 0.96f;
-constexpr float kRumble = 1.3f;
+constexpr float kEffects = 0.9f;
+constexpr float kMusic = 0.66f;
+constexpr float kRumble = 1.7f;
 constexpr float kSend = 0.5f;                          // share of the music that goes into the room
 constexpr float kGlide = 1 / (0.25f * kSampleHertz);   // per sample, of rumble and volume of music
 constexpr float kRelease = 1 / (0.12f * kSampleHertz); // per sample, of the limiter
-constexpr float kDeep = 0.018f;                        // of the low-pass filters of the rumble
+constexpr float kDuck = 0.8f;                          // share of the music that makes way
+constexpr float kDuckFast = 1 / (0.08f * kSampleHertz); // per sample, down
+constexpr float kDuckSlow = 1 / (1.0f * kSampleHertz);  // per sample, up
+constexpr float kDeep = 0.018f;                         // of the low-pass filters of the rumble
+constexpr float kRough = 0.25f;                         // of that of the roar
 
 /// What may be cut off for what: a higher number is more important.
 int priorityOf(Voice voice) {
@@ -132,16 +136,33 @@ Frame Mixer::voices(float& send) {
     return sum;
 }
 
-/// Low noise of all that falls.
+/// What all that falls sounds like together: a low noise, a roar above it, and the cracks of
+/// single pieces.
 Frame Mixer::rumble() {
+    constexpr float kCracks = 150 / kSampleHertz;                            // per sample, at most
+    static const float kCrackFades = std::exp(-1 / (0.012f * kSampleHertz)); // per sample
     rumbleNow_ += kGlide * (scene_.rumble * scene_.volume - rumbleNow_);
     if (rumbleNow_ < 1e-4f) {
         return {};
     }
-    growl_[0] += kDeep * (dice_.between(-1, 1) - growl_[0]);
+    const float noise = dice_.between(-1, 1);
+    growl_[0] += kDeep * (noise - growl_[0]);
     growl_[1] += kDeep * (growl_[0] - growl_[1]);
-    const float sample = 4 * rumbleNow_ * growl_[1];
-    return {sample, sample};
+    roar_ += kRough * (noise - roar_);
+    crack_ *= kCrackFades;
+    if (dice_.between(0, 1) < kCracks * rumbleNow_) {
+        crack_ = dice_.between(0.2f, 1);
+        crackSide_ = dice_.between(-0.4f, 0.4f);
+    }
+    const float low = 4 * rumbleNow_ * growl_[1];
+    const float rough = rumbleNow_ * (0.35f + 0.9f * crack_) * (roar_ - growl_[0]);
+    return {low + rough * (1 - crackSide_), low + rough * (1 + crackSide_)};
+}
+
+/// The music makes way for what falls, and comes back slowly.
+void Mixer::duck() {
+    const float wanted = std::min(2 * scene_.rumble * scene_.volume, 1.0f);
+    duckNow_ += (wanted > duckNow_ ? kDuckFast : kDuckSlow) * (wanted - duckNow_);
 }
 
 /// Lowers the gain at once where the ceiling would be exceeded, and raises it slowly.
@@ -157,14 +178,15 @@ Frame Mixer::limited(Frame sum) {
 void Mixer::render(std::span<float> samples) {
     takeNotes();
     prepareNext();
-    const Tension tension{scene_.combo, scene_.danger, scene_.muffled};
+    const Tension tension{scene_.combo, scene_.danger, scene_.muffled, scene_.won};
     for (std::size_t i = 0; i + 1 < samples.size(); i += 2) {
         float send = 0;
         const Frame effects = voices(send);
         const Frame growl = rumble();
         musicNow_ += kGlide * (scene_.music - musicNow_);
         const Frame tune = musicNow_ > 1e-4f ? music_->next(tension) : Frame{};
-        const float music = kMusic * musicNow_;
+        duck();
+        const float music = kMusic * musicNow_ * (1 - kDuck * duckNow_);
         const Frame echo = room_->next(kEffects * send + kSend * music * (tune.left + tune.right));
         const Frame out = limited(
             {kEffects * effects.left + kRumble * growl.left + music * tune.left + echo.left,

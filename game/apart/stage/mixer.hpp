@@ -42,6 +42,7 @@ private:
     void begin(const Note& note);
     Frame voices(float& send);
     Frame rumble();
+    void duck();
     Frame limited(Frame sum);
 
     std::mutex mutex_; // of the two below
@@ -59,9 +60,13 @@ private:
     std::optional<Music> music_;
     Dice dice_{77};
     std::array<float, 2> growl_{}; // states of the filters of the rumble
+    float roar_ = 0;               // state of the filter of the roar
+    float crack_ = 0;              // level of the last crack
+    float crackSide_ = 0;          // where it is, -1..1
     float rumbleNow_ = 0;
     float musicNow_ = 0;
-    float gain_ = 1; // of the limiter
+    float duckNow_ = 0; // 0..1, how far the music makes way for a fall
+    float gain_ = 1;    // of the limiter
 };
 
 } // namespace apart

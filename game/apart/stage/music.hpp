@@ -4,6 +4,7 @@
 #include <apart/core/theme.hpp>
 #include <apart/stage/dice.hpp>
 #include <apart/stage/room.hpp>
+#include <apart/stage/score.hpp>
 
 #include <array>
 #include <cstddef>
@@ -16,18 +17,19 @@ struct Tension {
     float combo = 0;
     float danger = 0;
     bool muffled = false; // a menu covers the game: only the quiet layers play
+    bool won = false;     // the tune closes, and its last chord stays
 };
 
-/// Music of a theme, composed and synthesised while it plays: an ambience and chords always, then
-/// bass, arpeggio and drums as the combo grows, and a heartbeat in danger. The same tensions give
-/// the same samples.
+/// The music of a theme: its score, synthesised while it plays. Ambience, chords, tune and bass are
+/// always there; the second part joins in the second verse or with a combo, then arpeggio and
+/// drums, and a heartbeat in danger. The same tensions give the same samples.
 class Music {
 public:
     explicit Music(Theme theme);
     Frame next(const Tension& tension);
 
 private:
-    enum class Kind { Pad, Bass, Pluck, Bell, Kick, Hat };
+    enum class Kind { Lead, Reed, Pad, Bass, Pluck, Bell, Kick, Hat };
     struct Tone {
         Kind kind;
         float step;      // turns per sample
@@ -41,20 +43,26 @@ private:
         bool rising = true;
     };
     void takeStep(const Tension& tension);
+    void close(const Tension& tension);
+    void takeParts(const Tension& tension);
     void takeChord(const Tension& tension);
     void takeDrums(const Tension& tension);
     void takeArpeggio(const Tension& tension);
-    void add(Kind kind, int semitones, float gain, float seconds);
+    void add(Kind kind, int degree, float gain, float seconds);
     float sampleOf(Tone& tone);
     Frame ambience();
+    bool rests() const;
+    int chord() const;
     float hertzOf(int degree) const;
 
     Theme theme_;
     Dice dice_;
     std::vector<Tone> tones_;
-    Tension smooth_;              // of a second or two
-    int samplesLeft_ = 0;         // until the next step, a sixteenth
-    int step_ = 0;                // since the start
+    Tension smooth_;       // of a second or two
+    int samplesLeft_ = 0;  // until the next step, a sixteenth
+    int step_ = 0;         // sixteenths since the start of the form
+    bool closing_ = false; // the last two bars play, or their chord stays
+    SecondPart second_;
     float swell_ = 0;             // turns, of the ambience
     std::array<float, 3> dull_{}; // states of the filters of the ambience
 };

@@ -36,7 +36,7 @@ public:
     void setSettings(const Settings& settings) { juice_.setSettings(settings); }
     /// One tick of the fanfare.
     void celebrate(Fanfare& fanfare, Speaker& speaker) {
-        fanfare.tick(juice_, share(juice_.settings().sound), speaker);
+        fanfare.tick(juice_, share(juice_.settings().sound), game().level().theme, speaker);
     }
 
 private:

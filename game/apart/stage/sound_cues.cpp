@@ -161,6 +161,7 @@ SoundScene sceneOf(const Game& game) {
     constexpr kodo::Real kLow = 4; // m, height from which on a falling ball is in danger
     SoundScene scene;
     scene.theme = game.level().theme;
+    scene.won = game.result() == Result::Won;
     const int row = std::max<int>(game.counts().combo, game.collapse().blocks);
     scene.combo = std::clamp(static_cast<float>(row) / kRow, 0.0f, 1.0f);
     float momentum = 0;

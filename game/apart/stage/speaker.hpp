@@ -64,6 +64,7 @@ struct SoundScene {
     float danger = 0;     // of losing a ball or the game
     float rumble = 0;     // of what falls: its momentum
     bool muffled = false; // a menu covers the game
+    bool won = false;     // the level is cleared
 };
 
 /// Sound output.

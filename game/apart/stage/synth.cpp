@@ -49,11 +49,12 @@ Recipe largeRecipeOf(Voice voice) {
 Recipe recipeOf(Voice voice) {
     switch (voice) {
     case Voice::Glass:
-        return {1318,
-                0.6f,
-                {{1, 0.6f, 0.16f}, {2.76f, 0.4f, 0.09f}, {5.4f, 0.25f, 0.04f}},
-                0.1f,
-                0.01f};
+        return {
+            1568,
+            0.6f,
+            {{1, 0.4f, 0.14f}, {2.76f, 0.45f, 0.12f}, {4.1f, 0.35f, 0.08f}, {5.4f, 0.3f, 0.06f}},
+            0.3f,
+            0.02f};
     case Voice::Wood:
         return {392,   0.25f,  {{1, 0.9f, 0.05f}, {2.42f, 0.4f, 0.025f}, {4.1f, 0.2f, 0.01f}},
                 0.25f, 0.008f, 0.4f};
