@@ -10,9 +10,9 @@ namespace apart {
 namespace {
 
 // Gains that give -16 LUFS in a game with the settings at their start.
-constexpr float kEffects = 0.9f;
-constexpr float kMusic = 0.66f;
-constexpr float kRumble = 1.7f;
+constexpr float kEffects = 0.81f;
+constexpr float kMusic = 0.515f;
+constexpr float kRumble = 1.9f;
 constexpr float kSend = 0.5f;                          // share of the music that goes into the room
 constexpr float kGlide = 1 / (0.25f * kSampleHertz);   // per sample, of rumble and volume of music
 constexpr float kRelease = 1 / (0.12f * kSampleHertz); // per sample, of the limiter
@@ -155,7 +155,7 @@ Frame Mixer::rumble() {
         crackSide_ = dice_.between(-0.4f, 0.4f);
     }
     const float low = 4 * rumbleNow_ * growl_[1];
-    const float rough = rumbleNow_ * (0.35f + 0.9f * crack_) * (roar_ - growl_[0]);
+    const float rough = rumbleNow_ * (0.45f + 0.9f * crack_) * (roar_ - growl_[0]);
     return {low + rough * (1 - crackSide_), low + rough * (1 + crackSide_)};
 }
 

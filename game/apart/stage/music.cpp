@@ -25,13 +25,13 @@ struct Manner {
 };
 
 constexpr std::array<Manner, kThemeNames.size()> kManners = {{
-    {true, 0.5f, 0.10f, 0.11f, 1},    // Daybreak: birdless morning air
-    {false, 0.8f, 0.04f, 0.07f, 1},   // Quarry: wind in the pit
-    {true, 0.4f, 0.22f, 0.23f, 1},    // Fairground: a crowd far off
-    {false, 1.1f, 0.09f, 0.13f, 1},   // Harbour: waves
-    {false, 0.4f, 0.30f, 0.31f, 1},   // Clockwork: a workshop
-    {true, 0.6f, 0.05f, 0.05f, 1.3f}, // Observatory: a dome at night
-    {false, 0.8f, 0.05f, 0.09f, 1},   // Fortress: wind on walls
+    {true, 0.5f, 0.10f, 0.11f, 1.15f},  // Daybreak: birdless morning air
+    {false, 0.8f, 0.04f, 0.07f, 1},     // Quarry: wind in the pit
+    {true, 0.4f, 0.22f, 0.23f, 1},      // Fairground: a crowd far off
+    {false, 1.1f, 0.09f, 0.13f, 1},     // Harbour: waves
+    {false, 0.4f, 0.30f, 0.31f, 1},     // Clockwork: a workshop
+    {true, 0.6f, 0.05f, 0.05f, 2.1f},   // Observatory: a dome at night
+    {false, 0.8f, 0.05f, 0.09f, 1.15f}, // Fortress: wind on walls
 }};
 
 /// sin(2 pi turn) for turn 0..1 from a table; its error is below 0.1 %.
