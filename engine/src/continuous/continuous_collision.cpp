@@ -129,10 +129,9 @@ bool later(const Event& e, const Event& f) {
 } // namespace
 
 void ContinuousCollision::makeRoom(const Bodies& bodies) {
-    resizeByBody(swift_, bodies);             // all 0 between steps
-    resizeByBody(stopAt_, bodies, Real(1));   // all 1 between steps
-    resizeByBody(push_, bodies);              // all 0 between steps
-    resizeByBody(first_, bodies, kNoContact); // all kNoContact between steps
+    resizeByBody(swift_, bodies);           // all 0 between steps
+    resizeByBody(stopAt_, bodies, Real(1)); // all 1 between steps
+    resizeByBody(push_, bodies);            // all 0 between steps
 }
 
 /// Marks the swift bodies. A pair without a swift body needs no continuous collision, for one of
@@ -202,10 +201,6 @@ void ContinuousCollision::finish(Bodies& bodies, Real dt) {
         push_[body] = {};
     }
     pushed_.clear();
-    for (const std::uint32_t body : linked_) {
-        first_[body] = kNoContact;
-    }
-    linked_.clear();
     for (const std::uint32_t body : stopped_) {
         stopAt_[body] = 1;
     }
@@ -230,26 +225,6 @@ bool ContinuousCollision::findCandidates(const Bodies& bodies, const ContactSet&
                       }
                   });
     return sensors != 0;
-}
-
-/// Builds the lists of the contacts of each body, from contacts with a swift body.
-void ContinuousCollision::linkContacts(const Step& step) {
-    next_.resize(step.summaries.size());
-    for (std::uint32_t i = 0; i < step.summaries.size(); ++i) {
-        const ContactSummary& summary = step.summaries[i];
-        if (!summary.sensor && isSwift(summary)) {
-            next_[i] = {link(summary.bodyA, i), link(summary.bodyB, i)};
-        }
-    }
-}
-
-/// Puts a contact at the begin of the list of a body, and returns the next one.
-std::uint32_t ContinuousCollision::link(std::uint32_t body, std::uint32_t contact) {
-    const std::uint32_t next = std::exchange(first_[body], contact);
-    if (next == kNoContact) {
-        linked_.push_back(body);
-    }
-    return next;
 }
 
 MotionPath ContinuousCollision::pathOf(const Bodies& bodies, std::uint32_t body) const {
@@ -323,7 +298,6 @@ void ContinuousCollision::findImpacts(const Step& step, WorkerTeam& team) {
 /// Processes the impacts in the order of time. Each changes the paths of its two bodies, so their
 /// later impacts are computed again.
 void ContinuousCollision::stopInOrder(const Step& step) {
-    linkContacts(step);
     if (step.driven) {
         findPushes(step);
     }

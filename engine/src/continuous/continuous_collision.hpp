@@ -9,7 +9,6 @@
 #include "contacts/contact_set.hpp"
 #include "joints/joint_set.hpp"
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -48,7 +47,6 @@ public:
     std::span<const std::uint32_t> stoppedAtLines() const { return stoppedAtLines_; }
 
 private:
-    static constexpr std::uint32_t kNoContact = ~std::uint32_t{};
     static constexpr Real kTaken = -1; // as a time: the impact has been processed
 
     /// An impact; out of date if its contact has another time in times_.
@@ -76,8 +74,6 @@ private:
     bool isSwift(const ContactSummary& summary) const {
         return (swift_[summary.bodyA] | swift_[summary.bodyB]) != 0;
     }
-    void linkContacts(const Step& step);
-    std::uint32_t link(std::uint32_t body, std::uint32_t contact);
     Vec2& pushOf(std::uint32_t body);
     void findTime(const Step& step, std::uint32_t contact, Real from);
     void queueImpact(const Step& step, std::uint32_t contact);
@@ -109,12 +105,7 @@ private:
     std::vector<std::uint32_t> stopped_;    // bodies with stopAt_ < 1
     std::vector<std::uint32_t> candidates_; // contacts that may meet while no body is stopped
     ParallelCollector<std::uint32_t> found_;
-    std::vector<Real> times_; // by contact: fraction of the step; 1: no impact
-    // Linked lists of the contacts of each body: first_ by body; next_ by contact, for its bodies a
-    // and b.
-    std::vector<std::uint32_t> first_;
-    std::vector<std::uint32_t> linked_; // bodies with a list
-    std::vector<std::array<std::uint32_t, 2>> next_;
+    std::vector<Real> times_;                  // by contact: fraction of the step; 1: no impact
     std::vector<std::uint32_t> pulling_;       // stopped bodies whose joints are still to be tested
     std::vector<std::uint32_t> jointsOf_;      // scratch: of one body
     std::vector<std::uint32_t> againstLocked_; // contacts with one locked body

@@ -41,10 +41,12 @@ void ContinuousCollision::cutShort(const Step& step, std::uint32_t body, Real ti
     }
     stopAt_[body] = time;
     pulling_.push_back(body);
-    for (std::uint32_t i = first_[body]; i != kNoContact;) {
+    step.contactSet.store().lists().forEach(body, [&](std::uint32_t i) {
         const ContactSummary& summary = step.summaries[i];
-        const bool isA = summary.bodyA == body;
-        const std::uint32_t other = isA ? summary.bodyB : summary.bodyA;
+        if (summary.sensor || !isSwift(summary)) {
+            return;
+        }
+        const std::uint32_t other = summary.bodyA == body ? summary.bodyB : summary.bodyA;
         const bool pushed = push_[body] != Vec2{} || push_[other] != Vec2{};
         if (pushed && times_[i] != kTaken) { // pushes move stopped bodies
             findTime(step, i, 0);
@@ -56,8 +58,7 @@ void ContinuousCollision::cutShort(const Step& step, std::uint32_t body, Real ti
                 queueImpact(step, i);
             }
         }
-        i = next_[i][isA ? 0 : 1];
-    }
+    });
 }
 
 } // namespace KODO_PRECISION
