@@ -154,11 +154,12 @@ static inline bool kodo_sameBody(kodo_BodyId a, kodo_BodyId b) {
     return a.index == b.index && a.generation == b.generation;
 }
 
-// Flags of a body. The low 16 bits are categories of the user, and filters compare them.
+// Flags of a body. Bits 16 to 31 have a meaning for the engine. The other 48 are categories of the
+// user, and filters compare them.
 
-typedef uint32_t kodo_Flags;
+typedef uint64_t kodo_Flags;
+#define KODO_USER_FLAGS UINT64_C(0xffffffff0000ffff)
 enum {
-    KODO_USER_FLAGS = 0xffff,
     KODO_LOCK_MOVE = 1 << 16,   // infinite mass
     KODO_LOCK_ROTATE = 1 << 17, // infinite moment of inertia
     KODO_DISABLED = 1 << 18,    // collides with nothing, no query finds it
@@ -168,6 +169,7 @@ enum {
     KODO_SENSOR = 1 << 22,      // detects overlap, without any response
     KODO_FROZEN = 1 << 23,      // status: see kodo_frozenBodies()
     KODO_OUTSIDE = 1 << 24,     // status: outside the region
+    KODO_MATCH_NONE = 1 << 27,  // none of the required flags is set
     KODO_MATCH_ANY = 1 << 28,   // at least one of the required flags is set
     KODO_MATCH_ALL = 1 << 29,   // all of them are set
     KODO_MATCH_EQUAL = 1 << 30  // exactly these are set
@@ -175,8 +177,9 @@ enum {
 
 /// Which bodies a query or a field concerns. All zero: all.
 typedef struct kodo_Filter {
-    kodo_Flags flags;  // at most one of KODO_MATCH_ANY, KODO_MATCH_ALL, KODO_MATCH_EQUAL
-    uint16_t required; // user flags that a body must have, as the mode says
+    kodo_Flags flags;    // at most one of KODO_MATCH_NONE to KODO_MATCH_EQUAL
+    kodo_Flags required; // user flags that the mode compares with those of a body
+    int32_t group;       // before the mode: > 0 finds the bodies of the group, < 0 leaves them out
 } kodo_Filter;
 
 typedef int32_t kodo_BodyType;
@@ -533,7 +536,8 @@ typedef struct kodo_BodyDef {
     kodo_Real gravityScale;   // of the forces of all gravity fields
     kodo_BodyType type;
     kodo_Flags flags;
-    uint16_t required; // user flags, see kodo_Filter; needs a match mode in `flags`
+    kodo_Flags required; // user flags, see kodo_Filter; needs a match mode in `flags`
+    int32_t group;     // bodies of one group collide if it is > 0, and do not if it is < 0; 0: none
     uint64_t userData; // the engine never reads it
 } kodo_BodyDef;
 
@@ -573,7 +577,8 @@ typedef struct kodo_BodyState {
     kodo_Real area;            // m^2; overlapping parts count twice
     kodo_Aabb bounds;          // m, world
     kodo_Flags flags;
-    uint16_t required;
+    kodo_Flags required;
+    int32_t group;
     bool hasSetMass;
     bool isAsleep;
     uint64_t userData;
@@ -628,7 +633,8 @@ KODO_C_API kodo_Status kodo_applyAngularImpulse(kodo_World* world, kodo_BodyId i
                                                 kodo_Real impulse);
 KODO_C_API kodo_Status kodo_setType(kodo_World* world, kodo_BodyId id, kodo_BodyType type);
 KODO_C_API kodo_Status kodo_setFlags(kodo_World* world, kodo_BodyId id, kodo_Flags flags);
-KODO_C_API kodo_Status kodo_setRequired(kodo_World* world, kodo_BodyId id, uint16_t required);
+KODO_C_API kodo_Status kodo_setRequired(kodo_World* world, kodo_BodyId id, kodo_Flags required);
+KODO_C_API kodo_Status kodo_setGroup(kodo_World* world, kodo_BodyId id, int32_t group);
 KODO_C_API kodo_Status kodo_setUserData(kodo_World* world, kodo_BodyId id, uint64_t userData);
 /// Of all parts.
 KODO_C_API kodo_Status kodo_setMaterial(kodo_World* world, kodo_BodyId id,

@@ -21,7 +21,7 @@ TEST(CFields, EachKindOfTheEngineIsThatOfCpp) {
     fields[3].wind = {{1, 2}, {3, 4}, false, {}};
     fields[4].attractor = {KODO_LINEAR, {1, 2}, 3, 4};
     fields[5].buoyancy = {1, 2, {3, 4}, {0, -10}};
-    fields[5].which = {KODO_MATCH_ANY, 6};
+    fields[5].which = {KODO_MATCH_ANY, 6, 0};
     EXPECT_OK(kodo_setFields(world, fields.data(), fields.size()));
     other.setFields(
         {{std::make_shared<kodo::Gravity>(kodo::Vec2{1, -9}), {}},

@@ -149,8 +149,11 @@ TEST(CJoints, AFilterJointIsThatOfCpp) {
     kodo_JointDef def = kodo_jointDef(KODO_FILTER_JOINT);
     def.filter.ends = pair.ends();
     def.filter.ends.collide = false;
+    def.filter.ends.breakForce = def.filter.ends.breakTorque =
+        std::numeric_limits<kodo_Real>::infinity();
     kodo::JointEnds ends = pair.otherEnds();
     ends.collide = false;
+    ends.breakForce = ends.breakTorque = kodo::kUnbreakable;
     pair.expectSame(def, kodo::FilterJoint{ends});
 }
 

@@ -39,7 +39,7 @@ TEST(CQueries, ARayHitsTheFirstBodyThatTheQuerySelects) {
     query.exceptCount = 2;
     EXPECT_OK(kodo_rayCast(row.world, kRay, &query, &hit));
     EXPECT_TRUE(kodo_sameBody(row.ids[2], hit.body));
-    query.which = {KODO_MATCH_ANY, 1};
+    query.which = {KODO_MATCH_ANY, 1, 0};
     EXPECT_OK(kodo_rayCast(row.world, kRay, &query, &hit));
     EXPECT_FALSE(hit.found);
 }

@@ -156,7 +156,8 @@ TEST(CShapes, AllOtherNumbersOfADefinitionArrive) {
     def.angularDamping = kodo_Real(0.5);
     def.gravityScale = -2;
     def.flags = KODO_MATCH_ALL | KODO_NEVER_SLEEP | 3;
-    def.required = 9;
+    def.required = KODO_USER_FLAGS;
+    def.group = -4;
     def.userData = 0x123456789abcdef0;
     const kodo_BodyId id = world.add(def);
 
@@ -173,7 +174,8 @@ TEST(CShapes, AllOtherNumbersOfADefinitionArrive) {
          .angularDamping = kodo_Real(0.5),
          .gravityScale = -2,
          .flags = kodo::kMatchAll | kodo::kNeverSleep | 3,
-         .required = 9,
+         .required = kodo::kUserFlags,
+         .group = -4,
          .userData = 0x123456789abcdef0});
     EXPECT_EQ(other.stateHash(), world.hash());
 
@@ -190,7 +192,8 @@ TEST(CShapes, AllOtherNumbersOfADefinitionArrive) {
     EXPECT_EQ(view.localCenter().y, state.localCenter.y);
     EXPECT_EQ(view.velocity().y, state.velocity.y);
     EXPECT_EQ(view.flags(), state.flags);
-    EXPECT_EQ(9, state.required);
+    EXPECT_EQ(KODO_USER_FLAGS, state.required);
+    EXPECT_EQ(-4, state.group);
     EXPECT_EQ(def.userData, state.userData);
     EXPECT_TRUE(state.hasSetMass);
     EXPECT_FALSE(state.isAsleep);

@@ -269,6 +269,8 @@ TEST(CWorlds, SettersAreThoseOfCpp) {
     compare("setGravityScale", kodo_setGravityScale(world, id, -1));
     other[same].setFlags(5 | kodo::kMatchAny);
     compare("setFlags", kodo_setFlags(world, id, 5 | KODO_MATCH_ANY));
+    other[same].setGroup(-5);
+    compare("setGroup", kodo_setGroup(world, id, -5));
     other[same].setRequired(6);
     compare("setRequired", kodo_setRequired(world, id, 6));
     other[same].setUserData(7);

@@ -58,6 +58,14 @@ class Pictures(unittest.TestCase):
         labelled = xml.etree.ElementTree.fromstring(world.svg(labels=True))
         self.assertEqual(5, len(labelled.findall(f".//{name}text")))
         self.assertEqual(world.svg(), world._repr_svg_())
+        world.step(DT)
+        arrows = [world.svg(impulses=True, metres_per_impulse=long) for long in (1, 2)]
+        self.assertNotEqual(*arrows)
+
+    def test_a_joint_instead_of_a_shape_names_add_joint(self):
+        world, (box, other, _) = falling_boxes()
+        with self.assertRaisesRegex(TypeError, "add_joint"):
+            world.add(kodo.FilterJoint(box.id, other.id))
 
     def test_an_empty_view_is_refused(self):
         with self.assertRaises(kodo.BadDefinition):
@@ -78,12 +86,13 @@ class Bodies(unittest.TestCase):
         world, (box, other, _) = falling_boxes()
         box.position, box.angle = (3, 4), 0.5
         box.velocity, box.angular_velocity = (1, 2), 3
-        box.flags, box.required, box.user_data = 5 | kodo.Flags.MATCH_ANY, 6, 2**63
+        box.flags, box.required, box.user_data = 2**63 | kodo.Flags.MATCH_ANY, 2**40, 2**63
+        box.group = -3
         self.assertEqual((3, 4), box.position)
         self.assertAlmostEqual(0.5, box.angle, places=6)
         self.assertEqual(((1, 2), 3), (box.velocity, box.angular_velocity))
-        self.assertEqual((5 | kodo.Flags.MATCH_ANY, 6, 2**63),
-                         (box.flags, box.required, box.user_data))
+        self.assertEqual((2**63 | kodo.Flags.MATCH_ANY, 2**40, 2**63, -3),
+                         (box.flags, box.required, box.user_data, box.group))
         box.set_mass(kodo.MassDef(2, center=(0.1, 0), inertia=0.3))
         self.assertAlmostEqual(0.3, box.inertia, places=6)
         self.assertTrue(box.has_set_mass)
@@ -267,7 +276,7 @@ class Joints(unittest.TestCase):
                              ratio=2.0),
             kodo.GearJoint(**ends, ratio=-3.0),
             kodo.GearJoint(**ends, ratio=0.5, rack=(0.0, 1.0)),
-            kodo.FilterJoint(**ends, user_data=2**63),
+            kodo.FilterJoint(box.id, other.id, user_data=2**63),
         ]
         for joint in joints:
             added = world.add_joint(joint)

@@ -26,6 +26,7 @@ BodyDef richDef() {
             .density = 5,
             .flags = 0x3 | kMatchAll | kNeverSleep,
             .required = 0x6,
+            .group = 7,
             .userData = 9};
 }
 
@@ -47,6 +48,7 @@ TEST(CopyFrom, CopiesStateFlagsAndPhysicalData) {
     EXPECT_EQ(to.angularVelocity(), from.angularVelocity());
     EXPECT_EQ(to.flags(), from.flags());
     EXPECT_EQ(to.required(), from.required());
+    EXPECT_EQ(to.group(), 7);
     EXPECT_EQ(to.type(), from.type());
     EXPECT_EQ(to.mass(), 17);
     EXPECT_EQ(to.inertia(), 2);

@@ -286,6 +286,7 @@ private:
     }
     static FilterJoint filterOf(JointEnds ends) {
         ends.collide = false;
+        ends.breakForce = ends.breakTorque = kUnbreakable; // it has no load
         return {ends};
     }
 

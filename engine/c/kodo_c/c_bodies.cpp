@@ -16,8 +16,8 @@ void writeMass(const std::optional<kodo::MassDef>& mass, kodo_BodyDef& def) {
 
 void writeDefaults(kodo_BodyDef& def) {
     const auto& [shape, position, rotation, velocity, angularVelocity, material, density, mass,
-                 linearDamping, angularDamping, gravityScale, type, flags, required, userData] =
-        kodo::BodyDef{};
+                 linearDamping, angularDamping, gravityScale, type, flags, required, group,
+                 userData] = kodo::BodyDef{};
     def.shape = toC(kodo::primitivesOf(shape).front());
     def.position = toC(position);
     def.rotation = toC(rotation);
@@ -32,6 +32,7 @@ void writeDefaults(kodo_BodyDef& def) {
     def.type = toC(type);
     def.flags = flags;
     def.required = required;
+    def.group = group;
     def.userData = userData;
 }
 
@@ -57,7 +58,7 @@ kodo::BodyDef fromC(const kodo_BodyDef& def) {
             def.linearDamping,   def.angularDamping,
             def.gravityScale,    bodyTypeFromC(def.type),
             def.flags,           def.required,
-            def.userData};
+            def.group,           def.userData};
 }
 
 kodo_BodyState stateOf(const kodo::BodyView& body) {
@@ -75,6 +76,7 @@ kodo_BodyState stateOf(const kodo::BodyView& body) {
     state.bounds = toC(body.bounds());
     state.flags = body.flags();
     state.required = body.required();
+    state.group = body.group();
     state.hasSetMass = body.hasSetMass();
     state.isAsleep = body.isAsleep();
     state.userData = body.userData();

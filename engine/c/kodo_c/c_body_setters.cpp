@@ -76,8 +76,12 @@ kodo_Status kodo_setFlags(kodo_World* world, kodo_BodyId id, kodo_Flags flags) {
     return change(world, id, [&](kodo::BodyRef body) { body.setFlags(flags); });
 }
 
-kodo_Status kodo_setRequired(kodo_World* world, kodo_BodyId id, uint16_t required) {
+kodo_Status kodo_setRequired(kodo_World* world, kodo_BodyId id, kodo_Flags required) {
     return change(world, id, [&](kodo::BodyRef body) { body.setRequired(required); });
+}
+
+kodo_Status kodo_setGroup(kodo_World* world, kodo_BodyId id, int32_t group) {
+    return change(world, id, [&](kodo::BodyRef body) { body.setGroup(group); });
 }
 
 kodo_Status kodo_setUserData(kodo_World* world, kodo_BodyId id, uint64_t userData) {

@@ -35,7 +35,7 @@ inline kodo::JointId fromC(kodo_JointId id) {
     return {id.index, id.generation, id.world};
 }
 inline kodo::CollisionFilter fromC(kodo_Filter filter) {
-    return {filter.flags, filter.required};
+    return {filter.flags, filter.required, filter.group};
 }
 inline kodo::Material fromC(const kodo_Material& m) {
     static_assert(KODO_MAXIMUM == static_cast<int>(kodo::MixRule::Maximum));
@@ -93,8 +93,8 @@ inline kodo_JointId toC(kodo::JointId id) {
     return {index, generation, world};
 }
 inline kodo_Filter toC(kodo::CollisionFilter filter) {
-    const auto& [flags, required] = filter;
-    return {flags, required};
+    const auto& [flags, required, group] = filter;
+    return {flags, required, group};
 }
 inline kodo_Material toC(const kodo::Material& material) {
     const auto& [staticFriction, kineticFriction, restitution, rollingResistance, surfaceSpeed,

@@ -53,11 +53,15 @@ enum class BodyType : std::uint8_t {
     Static,    // never; infinite mass
 };
 
-/// Flags of a body. The low 16 bits are categories: they belong to the user, and filters compare
-/// them. The high 16 bits have a meaning for the engine.
-using Flags = std::uint32_t;
+/// Flags of a body. Bits 16 to 31 have a meaning for the engine. The other 48 are categories: they
+/// belong to the user, and filters compare them.
+using Flags = std::uint64_t;
 
-inline constexpr Flags kUserFlags = 0x0000ffff;
+inline constexpr Flags kUserFlags = 0xffff'ffff'0000'ffff;
+/// The categories by number, 0 to 47: bits 0 to 15, then 32 to 63.
+constexpr Flags category(unsigned number) {
+    return Flags{1} << (number < 16 ? number : number + 16);
+}
 inline constexpr Flags kLockMove = 1u << 16;   // motion lock: infinite mass
 inline constexpr Flags kLockRotate = 1u << 17; // motion lock: infinite moment of inertia
 inline constexpr Flags kDisabled = 1u << 18;   // collides with nothing, no query finds it
@@ -67,23 +71,27 @@ inline constexpr Flags kColliding = 1u << 21;  // status: touched something in t
 inline constexpr Flags kSensor = 1u << 22;     // detects overlap, without any response
 inline constexpr Flags kFrozen = 1u << 23;     // status: see World::frozenBodies()
 inline constexpr Flags kOutside = 1u << 24;    // status: outside the region, see World::setRegion()
-// Bits 25 to 27 and 31 are reserved: definitions and setters refuse them.
+// Bits 25, 26 and 31 are reserved: definitions and setters refuse them.
 /// Set by the engine alone; setters ignore them.
 inline constexpr Flags kStatusFlags = kAsleep | kColliding | kFrozen | kOutside;
 
 // How a body compares `required` with the user flags of another. Without one of these it collides
 // with all.
+inline constexpr Flags kMatchNone = 1u << 27;  // none of the required flags is set
 inline constexpr Flags kMatchAny = 1u << 28;   // at least one of the required flags is set
 inline constexpr Flags kMatchAll = 1u << 29;   // all of them are set
 inline constexpr Flags kMatchEqual = 1u << 30; // exactly these are set
-inline constexpr Flags kMatchModes = kMatchAny | kMatchAll | kMatchEqual;
+inline constexpr Flags kMatchModes = kMatchNone | kMatchAny | kMatchAll | kMatchEqual;
 
 /// Decides which bodies collide, or which ones a query or a field concerns [Thesis06, 4.1.6].
 struct CollisionFilter {
     /// At most one of kMatchModes. Of a body also its user flags; queries, fields and forces on all
     /// bodies refuse these.
     Flags flags = 0;
-    std::uint16_t required = 0; // user flags that the other must have, as the mode says
+    Flags required = 0; // user flags that the mode compares with those of the other
+    /// Comes before the mode: bodies of one group collide if it is > 0, and do not if it is < 0. 0
+    /// is no group.
+    std::int32_t group = 0;
 };
 
 /// True if a filter lets a body with the user flags `other` through. kMatchAny and kMatchAll with
@@ -92,6 +100,8 @@ constexpr bool accepts(CollisionFilter filter, Flags other) {
     const Flags required = filter.required;
     const Flags present = other & kUserFlags;
     switch (filter.flags & kMatchModes) {
+    case kMatchNone:
+        return (present & required) == 0;
     case kMatchAny:
         return (present & required) != 0;
     case kMatchAll:
@@ -103,9 +113,15 @@ constexpr bool accepts(CollisionFilter filter, Flags other) {
     }
 }
 
+/// The same with groups.
+constexpr bool accepts(CollisionFilter filter, CollisionFilter other) {
+    return filter.group != 0 && filter.group == other.group ? filter.group > 0
+                                                            : accepts(filter, other.flags);
+}
+
 /// True if both filters accept the other body. It is symmetric, which the thesis's test is not.
 constexpr bool shouldCollide(CollisionFilter a, CollisionFilter b) {
-    return ((a.flags | b.flags) & kDisabled) == 0 && accepts(a, b.flags) && accepts(b, a.flags);
+    return ((a.flags | b.flags) & kDisabled) == 0 && accepts(a, b) && accepts(b, a);
 }
 
 /// With less, the rim of a body would give way to its contacts. That of a disc is 1/2.
@@ -135,8 +151,9 @@ struct BodyDef {
     Real angularDamping = 0;       // 1/s, likewise
     Real gravityScale = 1;         // of the forces of all Gravity fields; up to kMaxGravityScale
     BodyType type = BodyType::Dynamic;
-    Flags flags = 0;            // categories in the low 16 bits, motion locks, kSensor, ...
-    std::uint16_t required = 0; // see CollisionFilter; refused without a match mode
+    Flags flags = 0;            // categories, a match mode, motion locks, kSensor, ...
+    Flags required = 0;         // see CollisionFilter; refused without a match mode
+    std::int32_t group = 0;     // see CollisionFilter
     std::uint64_t userData = 0; // the engine never reads it
 };
 
@@ -189,7 +206,8 @@ public:
     bool hasSetMass() const;  // false: mass and inertia follow from shapes and densities
     Real area() const;        // m^2; overlapping parts count twice
     Flags flags() const;
-    std::uint16_t required() const;
+    Flags required() const;
+    std::int32_t group() const;
     std::uint64_t userData() const;
     bool isAsleep() const;
     Real linearDamping() const;  // 1/s
@@ -247,7 +265,8 @@ public:
     /// Static sets the velocities to zero. Throws BadDefinition for a dynamic body with a plane.
     void setType(BodyType type);
     void setFlags(Flags flags); // status flags stay as they are
-    void setRequired(std::uint16_t required);
+    void setRequired(Flags required);
+    void setGroup(std::int32_t group);
     void setUserData(std::uint64_t userData);
     void setMaterial(const Material& material); // of all parts
     void setLinearDamping(Real perSecond);
@@ -263,11 +282,11 @@ public:
     void setMassFromDensity();
 
     /// Makes the body move as another one, of this or another World, with its own shapes [Thesis06,
-    /// 4.1.8]. Copies pose, velocities, type, flags without status, `required`, damping, gravity
-    /// scale, mass, centre of mass and moment of inertia; the material of each part, or of the last
-    /// one for parts that the other has not. User data, forces and joints stay. Refused where a
-    /// setter would refuse it; a body that is static, kinematic or locked then keeps a mass that it
-    /// cannot copy.
+    /// 4.1.8]. Copies pose, velocities, type, flags without status, `required`, group, damping,
+    /// gravity scale, mass, centre of mass and moment of inertia; the material of each part, or of
+    /// the last one for parts that the other has not. User data, forces and joints stay. Refused
+    /// where a setter would refuse it; a body that is static, kinematic or locked then keeps a mass
+    /// that it cannot copy.
     void copyFrom(const BodyView& other);
 
     /// Wakes the body, its island, and all that touches it or shares a joint with it; restarts the

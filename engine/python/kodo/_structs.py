@@ -49,7 +49,7 @@ class JointId(ctypes.Structure):
 
 
 class Filter(ctypes.Structure):
-    _fields_ = [("flags", c_uint32), ("required", c_uint16)]
+    _fields_ = [("flags", c_uint64), ("required", c_uint64), ("group", c_int32)]
 
 
 class Material(ctypes.Structure):
@@ -222,8 +222,9 @@ class BodyDef(ctypes.Structure):
         ("angularDamping", Real),
         ("gravityScale", Real),
         ("type", c_int32),
-        ("flags", c_uint32),
-        ("required", c_uint16),
+        ("flags", c_uint64),
+        ("required", c_uint64),
+        ("group", c_int32),
         ("userData", c_uint64),
     ]
 
@@ -241,8 +242,9 @@ class BodyState(ctypes.Structure):
         ("localCenter", Vec2),
         ("area", Real),
         ("bounds", Aabb),
-        ("flags", c_uint32),
-        ("required", c_uint16),
+        ("flags", c_uint64),
+        ("required", c_uint64),
+        ("group", c_int32),
         ("hasSetMass", c_bool),
         ("isAsleep", c_bool),
         ("userData", c_uint64),
@@ -448,7 +450,7 @@ class Buoyancy(ctypes.Structure):
 class FieldBody(ctypes.Structure):
     _fields_ = [
         ("id", BodyId),
-        ("flags", c_uint32),
+        ("flags", c_uint64),
         ("transform", Transform),
         ("massFrame", Transform),
         ("midStep", Transform),

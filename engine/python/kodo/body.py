@@ -102,21 +102,30 @@ class Body:
 
     @property
     def flags(self) -> int:
-        """Categories in the low 16 bits, and Flags."""
+        """Categories, and Flags."""
         return self._state().flags
 
     @flags.setter
     def flags(self, flags: int) -> None:
-        self._call("kodo_setFlags", ctypes.c_uint32(flags))
+        self._call("kodo_setFlags", ctypes.c_uint64(flags))
 
     @property
     def required(self) -> int:
-        """Categories that another body must have, as the match mode in flags says."""
+        """Categories that the match mode in flags compares with those of another body."""
         return self._state().required
 
     @required.setter
     def required(self, required: int) -> None:
-        self._call("kodo_setRequired", ctypes.c_uint16(required))
+        self._call("kodo_setRequired", ctypes.c_uint64(required))
+
+    @property
+    def group(self) -> int:
+        """Bodies of one group collide if it is > 0, and do not if it is < 0; 0 is no group."""
+        return self._state().group
+
+    @group.setter
+    def group(self, group: int) -> None:
+        self._call("kodo_setGroup", ctypes.c_int32(group))
 
     @property
     def user_data(self) -> int:
@@ -285,7 +294,7 @@ class Body:
     def unweld(self, part: int, flags: Optional[int] = None) -> Body:
         """Makes a part a body of its own. With flags, a dynamic one with these flags."""
         added = c.BodyId()
-        given = None if flags is None else byref(ctypes.c_uint32(flags))
+        given = None if flags is None else byref(ctypes.c_uint64(flags))
         self._call("kodo_unweld", ctypes.c_size_t(part), given, byref(added))
         return Body(self.world, from_body_id(added))
 

@@ -127,7 +127,7 @@ class GearJoint(_Ends):
     """The speed of b is `ratio` times that of a, as seen from the line between the anchors. With a
     rack, which is fixed to a, b rolls along it by `ratio` (m) per rad."""
 
-    ratio: float = -1.0  #: not 0; negative for teeth, positive for a belt
+    ratio: float = -1.0  #: size 0.001 to 1000; negative for teeth, positive for a belt
     rack: Optional[Vec2] = None  #: unit, in the frame of a's shape
 
 

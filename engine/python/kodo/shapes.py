@@ -160,7 +160,8 @@ class BuiltShape:
             made.chain = c.Chain(self._vectors(shape.points), len(shape.points), shape.closed,
                                  shape.one_sided, materials, len(materials))
         else:
-            raise TypeError(f"{shape!r} is no shape")
+            hint = ": add_joint() takes joints" if type(shape).__name__.endswith("Joint") else ""
+            raise TypeError(f"{shape!r} is no shape{hint}")
 
 
 def from_shape(shape: c.Shape, corners: Sequence[Vec2]) -> Primitive:

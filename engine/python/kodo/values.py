@@ -28,7 +28,7 @@ class BodyType(enum.IntEnum):
 
 
 class Flags(enum.IntFlag):
-    """Flags of a body beside the 16 categories of the user (bits 0 to 15)."""
+    """Flags of a body beside the 48 categories of the user (bits 0 to 15 and 32 to 63)."""
 
     LOCK_MOVE = 1 << 16  #: infinite mass
     LOCK_ROTATE = 1 << 17  #: infinite moment of inertia
@@ -39,7 +39,8 @@ class Flags(enum.IntFlag):
     SENSOR = 1 << 22  #: detects overlap, without any response
     FROZEN = 1 << 23  #: status: see World.frozen_bodies()
     OUTSIDE = 1 << 24  #: status: outside the region
-    MATCH_ANY = 1 << 28  #: collides where at least one of the required flags is set
+    MATCH_NONE = 1 << 27  #: collides where none of the required flags is set
+    MATCH_ANY = 1 << 28  #: where at least one of the required flags is set
     MATCH_ALL = 1 << 29  #: where all of them are set
     MATCH_EQUAL = 1 << 30  #: where exactly these are set
 
@@ -101,8 +102,9 @@ def with_friction(friction: float, restitution: float = 0.0) -> Material:
 class Filter(NamedTuple):
     """Which bodies a query, a field or a force concerns. Filter() is all."""
 
-    flags: int = 0  #: at most one of MATCH_ANY, MATCH_ALL, MATCH_EQUAL
-    required: int = 0  #: categories that a body must have
+    flags: int = 0  #: at most one of MATCH_NONE, MATCH_ANY, MATCH_ALL, MATCH_EQUAL
+    required: int = 0  #: categories that the mode compares with those of a body
+    group: int = 0  #: before the mode: > 0 finds the bodies of the group, < 0 leaves them out
 
 
 class Transform(NamedTuple):
@@ -150,7 +152,7 @@ def to_joint_id(joint: JointId) -> c.JointId:
 
 
 def to_filter(which: Filter) -> c.Filter:
-    return c.Filter(int(which[0]), which[1])
+    return c.Filter(int(which[0]), *which[1:])
 
 
 def to_material(m: Material) -> c.Material:

@@ -126,6 +126,7 @@ class World:
         type: BodyType = BodyType.DYNAMIC,  # pylint: disable=redefined-builtin # as in C++
         flags: int = 0,
         required: int = 0,
+        group: int = 0,
         user_data: int = 0,
         linear_damping: float = 0.0,
         angular_damping: float = 0.0,
@@ -149,6 +150,7 @@ class World:
         definition.type = int(type)
         definition.flags = int(flags)
         definition.required = required
+        definition.group = group
         definition.userData = user_data
         definition.linearDamping = linear_damping
         definition.angularDamping = angular_damping
@@ -301,7 +303,8 @@ class World:
     @property
     def fields(self) -> List[Tuple[Field, Filter]]:
         return [
-            (_fields.from_field(each), Filter(each.which.flags, each.which.required))
+            (_fields.from_field(each), Filter(each.which.flags, each.which.required,
+                                               each.which.group))
             for each in self._list("kodo_fields", c.Field)
         ]
 
@@ -389,15 +392,22 @@ class World:
     def svg(self, view: Optional[Aabb] = None, shapes: bool = True,
             joints: bool = True, contacts: bool = False, impulses: bool = False,
             bounds: bool = False, velocities: bool = False, centers: bool = False,
-            labels: bool = False, islands: bool = False) -> str:
+            labels: bool = False, islands: bool = False,
+            metres_per_impulse: Optional[float] = None,
+            seconds_of_velocity: Optional[float] = None) -> str:
         """The World as a picture, which a browser or a notebook shows. view: m, world, by default
         all bodies. Contacts and impulses are those of the last step; islands: one
-        colour for bodies that touch or share a joint."""
+        colour for bodies that touch or share a joint. metres_per_impulse (m/(N s)) and
+        seconds_of_velocity (s) scale the arrows."""
         options = c.initialised(c.DrawOptions)
         options.shapes, options.joints = shapes, joints
         options.contacts, options.impulses = contacts, impulses
         options.bounds, options.velocities = bounds, velocities
         options.centers, options.labels, options.islands = centers, labels, islands
+        if metres_per_impulse is not None:
+            options.metresPerImpulse = metres_per_impulse
+        if seconds_of_velocity is not None:
+            options.secondsOfVelocity = seconds_of_velocity
         box = None if view is None else byref(to_aabb(view))
         made, size = ctypes.create_string_buffer(0), c_size_t()
         for _ in range(2):  # the second time with enough room

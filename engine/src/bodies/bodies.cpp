@@ -108,7 +108,7 @@ BodyId addBody(Bodies& bodies, const BodyDef& def, std::shared_ptr<const BodyGeo
     setRules(bodies, slot.index, {def.linearDamping, def.angularDamping, def.gravityScale});
     bodies.changes.lostLoads.reserve(bodies.record.capacity());
     bodies.filter[slot.index] = {(def.flags & ~(kStatusFlags | kTypeBits)) | bitsOf(def.type),
-                                 def.required};
+                                 def.required, def.group};
     bodies.sleep[slot.index] = {};
     bodies.sleep[slot.index].since = bodies.pose[slot.index];
     bodies.noteActivity(slot.index);
@@ -152,6 +152,7 @@ BodyId unweldPart(Bodies& bodies, std::uint32_t body, const DividedGeometry& geo
     def.type = typeOf(made.filter.flags);
     def.flags = made.filter.flags;
     def.required = made.filter.required;
+    def.group = made.filter.group;
     def.userData = made.userData;
     def.linearDamping = made.rules.linearDamping;
     def.angularDamping = made.rules.angularDamping;

@@ -51,6 +51,8 @@ inline constexpr Flags kKnownFlags =
 
 /// The flags of a body.
 std::optional<Problem> checkFlags(const char* field, Flags value);
+/// The categories that a mode compares.
+std::optional<Problem> checkRequired(const char* field, Flags value);
 /// A filter of a query, a field or of forces on all bodies: without a mode, `required` would
 /// accept all.
 std::optional<Problem> checkFilter(CollisionFilter which);

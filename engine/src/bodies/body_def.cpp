@@ -32,7 +32,8 @@ std::optional<Problem> checkType(const BodyDef& def) {
 std::optional<Problem> checkModes(const char* field, Flags value) {
     const Flags mode = value & kMatchModes;
     if ((mode & (mode - 1)) != 0) {
-        return Problem{field, "must have one of kMatchAny, kMatchAll and kMatchEqual at most"};
+        return Problem{field,
+                       "must have one of kMatchNone, kMatchAny, kMatchAll and kMatchEqual at most"};
     }
     return std::nullopt;
 }
@@ -96,10 +97,18 @@ std::optional<Problem> checkFlags(const char* field, Flags value) {
                 bits += (bits.empty() ? "" : " and ") + std::to_string(bit);
             }
         }
-        return Problem{field, "must not have bit " + bits +
-                                  ", which is reserved: categories of the user are bits 0 to 15"};
+        return Problem{
+            field, "must not have bit " + bits +
+                       ", which is reserved: categories of the user are bits 0 to 15 and 32 to 63"};
     }
     return checkModes(field, value);
+}
+
+std::optional<Problem> checkRequired(const char* field, Flags value) {
+    if ((value & ~kUserFlags) != 0) {
+        return Problem{field, "must have categories alone: bits 0 to 15 and 32 to 63"};
+    }
+    return std::nullopt;
 }
 
 std::optional<Problem> checkFilter(CollisionFilter which) {
@@ -109,6 +118,9 @@ std::optional<Problem> checkFilter(CollisionFilter which) {
     if ((which.flags & ~(kUserFlags | kMatchModes)) != 0) {
         return Problem{"which.flags", "must have a match mode alone: a filter does not "
                                       "compare locks, kSensor and other flags"};
+    }
+    if (auto problem = checkRequired("which.required", which.required)) {
+        return problem;
     }
     if (which.required != 0 && (which.flags & kMatchModes) == 0) {
         return Problem{"which.required", "has no effect without a match mode: add kMatchAny, "
@@ -159,6 +171,9 @@ std::optional<Problem> check(const BodyDef& def, Real lengthUnit) {
         return problem;
     }
     if (auto problem = checkFlags("flags", def.flags)) {
+        return problem;
+    }
+    if (auto problem = checkRequired("required", def.required)) {
         return problem;
     }
     if (def.required == 0 && (def.flags & (kMatchAny | kMatchAll)) != 0) {

@@ -78,6 +78,7 @@ void checkList(const PartList& list) {
             "what parts were before does not fit the parts");
     for (const FormerBody& former : list.former) {
         require(checkFlags("flags", former.filter.flags & ~kTypeBits));
+        require(checkRequired("required", former.filter.required));
         require(check(former.rules));
     }
 }
@@ -87,6 +88,7 @@ void completeBody(Bodies& bodies, std::uint32_t body) {
     const BodyRecord& record = bodies.record[body];
     require(record.geometry != nullptr, "a body has no geometry");
     require(checkFlags("flags", bodies.filter[body].flags & ~kTypeBits));
+    require(checkRequired("required", bodies.filter[body].required));
     for (const Part& part : record.geometry->parts) {
         require(checkPlaneType(part.primitive, bodies.filter[body].flags));
     }

@@ -63,8 +63,11 @@ Real BodyView::area() const {
 Flags BodyView::flags() const {
     return bodies_->filter[index()].flags & ~kTypeBits;
 }
-std::uint16_t BodyView::required() const {
+Flags BodyView::required() const {
     return bodies_->filter[index()].required;
+}
+std::int32_t BodyView::group() const {
+    return bodies_->filter[index()].group;
 }
 std::uint64_t BodyView::userData() const {
     return bodies_->record[index()].userData;

@@ -42,6 +42,9 @@ private:
     /// `all`: the union of the flags of several bodies.
     static constexpr bool mayAccept(CollisionFilter which, Flags all) {
         const Flags required = which.required;
+        if (which.group > 0) { // it may find bodies that the mode does not
+            return true;
+        }
         switch (which.flags & kMatchModes) {
         case kMatchAny:
             return (all & required) != 0;

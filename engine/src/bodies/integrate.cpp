@@ -24,7 +24,7 @@ Acceleration accelerationOf(const Bodies& bodies, std::uint32_t i,
     FieldForce push{record.force, record.torque};
     Real forces = length(push.force);
     for (const FieldEntry& entry : fields) {
-        if (accepts(entry.which, bodies.filter[i].flags)) {
+        if (accepts(entry.which, bodies.filter[i])) {
             const FieldForce more = entry.field->at({bodies, bodies.idAt(i)}, dt);
             push.force += more.force;
             forces += length(more.force);

@@ -195,7 +195,12 @@ std::optional<Problem> checkKind(const GearJoint& joint, Real) {
         return Problem{"ratio", "is 0, so the gear would not turn: give the speed of b per speed "
                                 "of a, below 0 for teeth and above 0 for a belt"};
     }
-    if (auto problem = checkRange("ratio", joint.ratio, Real(-1e3), Real(1e3), "")) {
+    constexpr Real kMost = 1000; // beyond its inverse, rounding turns the gear as much as b does
+    if (std::abs(joint.ratio) < 1 / kMost) {
+        return Problem{"ratio", "must have a size of 0.001 to 1000, but is " + textOf(joint.ratio) +
+                                    ": swap a and b for its inverse"};
+    }
+    if (auto problem = checkRange("ratio", joint.ratio, -kMost, kMost, "")) {
         return problem;
     }
     return joint.rack ? checkUnit("rack", *joint.rack) : std::nullopt;
@@ -204,6 +209,11 @@ std::optional<Problem> checkKind(const GearJoint& joint, Real) {
 std::optional<Problem> checkKind(const FilterJoint& joint, Real) {
     if (joint.ends.collide) {
         return Problem{"ends.collide", "is true, so the joint would do nothing"};
+    }
+    const bool breaks = !std::isinf(joint.ends.breakForce);
+    if (breaks || !std::isinf(joint.ends.breakTorque)) {
+        return Problem{breaks ? "ends.breakForce" : "ends.breakTorque",
+                       "must be kUnbreakable: a FilterJoint has no load that could break it"};
     }
     return std::nullopt;
 }

@@ -229,9 +229,16 @@ void BodyRef::setFlags(Flags flags) {
     refreshDerived(world_->bodies_, body);
 }
 
-void BodyRef::setRequired(std::uint16_t required) {
+void BodyRef::setRequired(Flags required) {
     const std::uint32_t body = changing("BodyRef::setRequired");
+    refuse(checkRequired("required", required));
     world_->bodies_.filter[body].required = required;
+    world_->bodyChanged(body);
+}
+
+void BodyRef::setGroup(std::int32_t group) {
+    const std::uint32_t body = changing("BodyRef::setGroup");
+    world_->bodies_.filter[body].group = group;
     world_->bodyChanged(body);
 }
 
@@ -302,13 +309,14 @@ void BodyRef::copyFrom(const BodyView& other) {
         pose.position == other.center() ? other.velocity() : other.velocityAt(pose.position);
     Bodies& bodies = world_->bodies_;
     const Real spin = other.angularVelocity();
-    const std::uint16_t required = other.required();
+    const Flags required = other.required();
+    const std::int32_t group = other.group();
     const MotionRules rules{other.linearDamping(), other.angularDamping(), other.gravityScale()};
     setGeometry(bodies, body, makeGeometry(std::move(list)));
     bodies.pose[body] = pose;
     world_->bodyChanged(body);
     CollisionFilter& filter = bodies.filter[body]; // after bodyChanged, which may wake the body
-    filter = {(filter.flags & kStatusFlags & ~kFrozen) | given, required};
+    filter = {(filter.flags & kStatusFlags & ~kFrozen) | given, required, group};
     world_->flagBlocks_.note(body, given);
     setRules(bodies, body, rules);
     bodies.motion[body].velocity = velocity;

@@ -108,8 +108,9 @@ private:
         };
     }
     bool isAsked(std::uint32_t body) const {
-        const Flags flags = bodies_.filter[body].flags;
-        return (flags & kDisabled) == 0 && accepts(which_, flags) && !except_.contains(body);
+        const CollisionFilter& filter = bodies_.filter[body];
+        return (filter.flags & kDisabled) == 0 && accepts(which_, filter) &&
+               !except_.contains(body);
     }
 
     const Bodies& bodies_;

@@ -138,7 +138,7 @@ BodyId WorldImpl::unweld(BodyId body, std::size_t part, std::optional<Flags> fla
             refuse(Problem{"flags", "must not have kMatchAny or kMatchAll: `required` will be 0, "
                                     "so the body would collide with nothing"});
         }
-        made.filter = {*flags & ~kStatusFlags, 0};
+        made.filter = {*flags & ~kStatusFlags};
     }
     if (needsLock(parts[part].primitive) && locksOf(made.filter.flags) != kLockBoth) {
         refuse(Problem{"flags", "must have kLockMove and kLockRotate: a plane has no mass"});

@@ -35,6 +35,22 @@ void writeMaterial(StateStream& stream, const Material& material) {
     }
 }
 
+/// Numbers of a filter that few have, beside the low 32 and 16 bits that always count.
+template <typename Write>
+void forRareBits(const CollisionFilter& filter, Write write) {
+    if ((filter.flags >> 32 | filter.required >> 16) != 0 || filter.group != 0) {
+        write(filter.flags >> 32);
+        write(filter.required >> 16);
+        write(filter.group);
+    }
+}
+
+void writeFilter(StateStream& stream, const CollisionFilter& filter) {
+    stream.write(static_cast<std::uint32_t>(filter.flags),
+                 static_cast<std::uint16_t>(filter.required));
+    forRareBits(filter, [&](auto number) { stream.write(number); });
+}
+
 void writeRules(StateStream& stream, const MotionRules& rules) {
     if (rules != MotionRules{}) {
         stream.write(rules);
@@ -107,6 +123,8 @@ void addDefinitions(StateHash& hash, const WorldImpl& world) {
     OwnFields none;
     for (FieldEntry entry : world.fields()) {
         visitState(stream, entry, none);
+        stream.drop(2 * sizeof(Flags) + sizeof entry.which.group);
+        writeFilter(stream, entry.which);
     }
     const Bodies& bodies = world.bodyData();
     for (std::uint32_t i = 0; i < bodies.size(); ++i) {
@@ -128,8 +146,10 @@ void addDefinitions(StateHash& hash, const WorldImpl& world) {
             stream.write(set);
         }
         for (const auto& [known, filter, userData, rules] : list.former) { // likewise
-            if (filter.flags != 0 || filter.required != 0 || userData != 0) {
-                stream.write(known, filter, userData);
+            if (filter.flags != 0 || filter.required != 0 || filter.group != 0 || userData != 0) {
+                stream.write(known);
+                writeFilter(stream, filter);
+                stream.write(userData);
             }
             writeRules(stream, rules);
         }
@@ -164,9 +184,10 @@ std::uint64_t WorldImpl::stateHash() const {
         }
         hash.add(bodies_.sleep[i].calmSteps);
         hash.add(record.lostLoad);
-        const Flags flags = bodies_.filter[i].flags; // the type counts as its motion locks
-        hash.add((flags & ~kTypeBits) | locksOf(flags));
-        hash.add(bodies_.filter[i].required);
+        const CollisionFilter& filter = bodies_.filter[i]; // the type counts as its motion locks
+        hash.add(static_cast<std::uint32_t>((filter.flags & ~kTypeBits) | locksOf(filter.flags)));
+        hash.add(static_cast<std::uint16_t>(filter.required));
+        forRareBits(filter, [&](auto number) { hash.add(number); });
         hash.add(static_cast<std::uint32_t>(record.geometry->parts.size()));
     }
     const auto addContact = [&](const StoredContact& contact) {

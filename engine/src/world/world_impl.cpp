@@ -258,6 +258,7 @@ BodyId WorldImpl::clone(BodyId id, Vec2 position) {
     def.type = source.type();
     def.flags = source.flags();
     def.required = source.required();
+    def.group = source.group();
     def.userData = source.userData();
     def.linearDamping = source.linearDamping();
     def.angularDamping = source.angularDamping();
@@ -354,7 +355,7 @@ void WorldImpl::applyToAll(Vec2 force, Real torque, CollisionFilter which) {
     }
     flagBlocks_.forEachIn(which, bodies_.size(), [&](std::uint32_t body) {
         ++changeVisits_;
-        if (bodies_.ids.aliveAt(body) && accepts(which, bodies_.filter[body].flags)) {
+        if (bodies_.ids.aliveAt(body) && accepts(which, bodies_.filter[body])) {
             addForce(body, force, torque);
         }
     });
