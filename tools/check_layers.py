@@ -22,7 +22,7 @@ PUBLIC = {
     "base": "real version export error executor state_hash step_stats",
     "math": "math",
     "shapes": "material shape convex_shape mass measure ray geometry",
-    "bodies": "body force_field settings collision_record joint",
+    "bodies": "filter body force_field settings collision_record joint",
     "world": "world query snapshot kodo",
     "draw": "debug_draw",
 }

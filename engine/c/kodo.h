@@ -157,8 +157,8 @@ static inline bool kodo_sameBody(kodo_BodyId a, kodo_BodyId b) {
 // Flags of a body. Bits 16 to 31 have a meaning for the engine. The other 48 are categories of the
 // user, and filters compare them.
 
-typedef uint64_t kodo_Flags;
 #define KODO_USER_FLAGS UINT64_C(0xffffffff0000ffff)
+typedef uint64_t kodo_Flags;
 enum {
     KODO_LOCK_MOVE = 1 << 16,   // infinite mass
     KODO_LOCK_ROTATE = 1 << 17, // infinite moment of inertia
@@ -602,6 +602,9 @@ typedef struct kodo_Part {
     kodo_Shape shape; // in the frame of the body's shape; the corners of a polygon: see kodo_part()
     kodo_Material material;
     kodo_Real density; // kg/m^2
+    bool hasFilter;
+    kodo_Filter filter; // instead of the filter and the KODO_SENSOR of the body
+    uint64_t userData;  // the engine never reads it
 } kodo_Part;
 
 /// Reads a part. Its corners, if it is a polygon, are written to `corners`, at most `capacity` of
@@ -639,6 +642,9 @@ KODO_C_API kodo_Status kodo_setUserData(kodo_World* world, kodo_BodyId id, uint6
 /// Of all parts.
 KODO_C_API kodo_Status kodo_setMaterial(kodo_World* world, kodo_BodyId id,
                                         const kodo_Material* material);
+/// Changes a part. A set mass stays: then the shape must stay too.
+KODO_C_API kodo_Status kodo_setPart(kodo_World* world, kodo_BodyId id, size_t index,
+                                    const kodo_Part* part);
 KODO_C_API kodo_Status kodo_setLinearDamping(kodo_World* world, kodo_BodyId id,
                                              kodo_Real perSecond);
 KODO_C_API kodo_Status kodo_setAngularDamping(kodo_World* world, kodo_BodyId id,
@@ -862,6 +868,12 @@ KODO_C_API kodo_Status kodo_setJoint(kodo_World* world, kodo_JointId id, const k
 KODO_C_API kodo_Status kodo_jointLoad(const kodo_World* world, kodo_JointId id, kodo_Load* load);
 
 /// Where a joint is, and how it moves: b relative to a.
+/// Numbers of a spring, as the joints have them.
+typedef struct kodo_Spring {
+    kodo_Real hertz;
+    kodo_Real damping; // damping ratio
+} kodo_Spring;
+
 typedef struct kodo_JointState {
     kodo_Vec2 anchorA;      // m, world; of a mouse joint: the target
     kodo_Vec2 anchorB;      // m, world
@@ -873,6 +885,10 @@ typedef struct kodo_JointState {
     kodo_Real speed;        // m/s, likewise
 } kodo_JointState;
 
+/// The numbers for a spring of that stiffness (N/m, > 0) and damping (N s/m), with the present
+/// masses of the bodies; of a revolute joint N m/rad and N m s/rad.
+KODO_C_API kodo_Status kodo_springOf(const kodo_World* world, const kodo_JointDef* def,
+                                     kodo_Real stiffness, kodo_Real damping, kodo_Spring* spring);
 KODO_C_API kodo_Status kodo_jointState(const kodo_World* world, kodo_JointId id,
                                        kodo_JointState* state);
 

@@ -109,6 +109,10 @@ TEST(CShapes, APartThatIsReadMakesTheSamePart) {
         EXPECT_OK(kodo_part(world, body, i, &part, room.data(), room.size()));
         EXPECT_EQ(parts[i].kind, part.shape.kind);
         EXPECT_EQ(3, part.density);
+        part.hasFilter = true;
+        part.filter = {KODO_SENSOR | KODO_MATCH_NONE, KODO_USER_FLAGS, -2};
+        part.userData = 7;
+        EXPECT_OK(kodo_setPart(world, body, i, &part));
         EXPECT_EQ(kHalf, part.material.restitution);
         std::size_t first = 0;
         EXPECT_OK(kodo_weldPart(rebuilt, other, &part, &first));

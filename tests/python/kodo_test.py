@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The Python module. Each test runs with NumPy's arrays and without, where NumPy is installed."""
 import array
+import dataclasses
 import gc
 import math
 import pathlib
@@ -62,6 +63,14 @@ class Pictures(unittest.TestCase):
         arrows = [world.svg(impulses=True, metres_per_impulse=long) for long in (1, 2)]
         self.assertNotEqual(*arrows)
 
+    def test_a_stiffness_becomes_hertz_and_a_damping_ratio(self):
+        world = kodo.World()
+        wall = world.add(type=kodo.BodyType.STATIC)
+        weight = world.add(kodo.Box(1, 1), position=(3, 0), mass=4)
+        hertz, damping = world.spring_of(kodo.DistanceJoint(wall.id, weight.id), 100, 20)
+        self.assertAlmostEqual(5 / (2 * math.pi), hertz, places=5)  # sqrt(100 / 4) rad/s
+        self.assertAlmostEqual(0.5, damping, places=5)
+
     def test_a_joint_instead_of_a_shape_names_add_joint(self):
         world, (box, other, _) = falling_boxes()
         with self.assertRaisesRegex(TypeError, "add_joint"):
@@ -122,6 +131,11 @@ class Bodies(unittest.TestCase):
         for shape in shapes:
             body = world.add(shape, type=kodo.BodyType.STATIC)
             self.assertEqual([shape], [part.shape for part in body.parts])
+            if shape == kodo.Box(2, 3, (4, 5), 0.0, 0.5):
+                own = dataclasses.replace(body.parts[0], filter=kodo.Filter(kodo.Flags.SENSOR),
+                                          user_data=2**40)
+                body.set_part(0, own)
+                self.assertEqual(own, body.parts[0])
         compound = world.add(kodo.Compound(shapes), type=kodo.BodyType.STATIC)
         self.assertEqual(shapes, [part.shape for part in compound.parts])
         ground = world.add(kodo.Heightmap(1, [0, 1, 0]), type=kodo.BodyType.STATIC)

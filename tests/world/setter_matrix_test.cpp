@@ -152,6 +152,13 @@ const std::vector<NamedChange>& propertyChanges() {
              w[b].setRequired(2);
          }},
         {"setUserData", [](World& w, BodyId, BodyId b) { w[b].setUserData(7); }},
+        {"setGroup", [](World& w, BodyId, BodyId b) { w[b].setGroup(-1); }},
+        {"setPart",
+         [](World& w, BodyId, BodyId b) {
+             Part part = w[b].part(0);
+             part.filter = CollisionFilter{kSensor};
+             w[b].setPart(0, part);
+         }},
         {"setMaterial", [](World& w, BodyId, BodyId b) { w[b].setMaterial(support::slippery(1)); }},
         {"setMass", [](World& w, BodyId, BodyId b) { w[b].setMass(3); }},
         {"setMass of the box, with a centre",

@@ -36,6 +36,12 @@ void writeDefaults(kodo_BodyDef& def) {
     def.userData = userData;
 }
 
+kodo::Part partFromC(const kodo_Part& part) {
+    const auto& [shape, material, density, hasFilter, filter, userData] = part;
+    return {primitiveFromC(shape, "part.shape"), fromC(material), density,
+            optionalFromC(hasFilter, filter), userData};
+}
+
 } // namespace
 
 kodo::BodyType bodyTypeFromC(kodo_BodyType type) {
@@ -165,14 +171,24 @@ kodo_Status kodo_part(const kodo_World* world, kodo_BodyId id, size_t index, kod
                       kodo_Vec2* corners, size_t capacity) {
     return guarded([&] {
         const kodo::Part& found = worldOf(world)[fromC(id)].part(index);
-        const auto& [primitive, material, density, convex] = found;
-        kodo_Part made{toC(primitive), toC(material), density};
+        const auto& [primitive, material, density, filter, userData, convex] = found;
+        kodo_Part made{toC(primitive),
+                       toC(material),
+                       density,
+                       filter.has_value(),
+                       toC(filter.value_or(kodo::CollisionFilter{})),
+                       userData};
         if (const auto* polygon = std::get_if<kodo::Polygon>(&primitive)) {
             writeList(polygon->corners, corners, capacity, &made.shape.polygon.cornerCount);
             made.shape.polygon.corners = corners;
         }
         required(part, "part") = made;
     });
+}
+
+kodo_Status kodo_setPart(kodo_World* world, kodo_BodyId id, size_t index, const kodo_Part* part) {
+    return guarded(
+        [&] { worldOf(world)[fromC(id)].setPart(index, partFromC(required(part, "part"))); });
 }
 
 kodo_Status kodo_weld(kodo_World* world, kodo_BodyId into, kodo_BodyId part, size_t* first) {
@@ -186,9 +202,12 @@ kodo_Status kodo_weldPart(kodo_World* world, kodo_BodyId into, const kodo_Part* 
                           size_t* first) {
     return guarded([&] {
         std::size_t& index = required(first, "first");
-        const auto& [shape, material, density] = required(part, "part");
-        index = worldOf(world).weld(fromC(into), primitiveFromC(shape, "part.shape"),
-                                    fromC(material), density);
+        const kodo::Part given = partFromC(required(part, "part"));
+        kodo::World& to = worldOf(world);
+        index = to.weld(fromC(into), given.primitive, given.material, given.density);
+        if (given.filter || given.userData != 0) {
+            to[fromC(into)].setPart(index, given);
+        }
     });
 }
 

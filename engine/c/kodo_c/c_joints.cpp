@@ -294,6 +294,15 @@ kodo_Status kodo_jointLoad(const kodo_World* world, kodo_JointId id, kodo_Load* 
     });
 }
 
+kodo_Status kodo_springOf(const kodo_World* world, const kodo_JointDef* def, kodo_Real stiffness,
+                          kodo_Real damping, kodo_Spring* spring) {
+    return guarded([&] {
+        const auto [hertz, ratio] = kodo::springOf(
+            worldOf(world), fromC(checked(def, "def", "kodo_JointDef")), stiffness, damping);
+        required(spring, "spring") = {hertz, ratio};
+    });
+}
+
 kodo_Status kodo_jointState(const kodo_World* world, kodo_JointId id, kodo_JointState* state) {
     return guarded([&] { required(state, "state") = toC(worldOf(world).jointState(fromC(id))); });
 }

@@ -147,12 +147,12 @@ struct PulleyJoint {
 /// the rack moves by -ratio per rad. On one axle, or nearly so, speeds are those in the World.
 struct GearJoint {
     JointEnds ends{};           // anchors: the axles; other joints hold them
-    Real ratio = -1;            // not 0; within 1e3
+    Real ratio = -1;            // size 1e-3 to 1e3
     std::optional<Vec2> rack{}; // unit, in the frame of a's shape
 };
 
 /// Filter joint: the two bodies do not collide with each other. Like those of each joint, they
-/// sleep and wake together; nothing else connects them.
+/// sleep and wake together; nothing else connects them, so it has no load and cannot break.
 struct FilterJoint {
     JointEnds ends{};
 };
@@ -179,6 +179,12 @@ struct JointState {
     Real lengthSpeed = 0;  // m/s
     Real translation = 0;  // m, along the axis of a PrismaticJoint or WheelJoint; else 0
     Real speed = 0;        // m/s, likewise
+};
+
+/// Numbers of a spring, as the joints have them.
+struct Spring {
+    Real hertz = 0;
+    Real damping = 0; // damping ratio
 };
 
 /// A joint that its load broke in the last step. Its id is no longer valid.

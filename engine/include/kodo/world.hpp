@@ -201,5 +201,12 @@ private:
     std::unique_ptr<WorldImpl> impl_;
 };
 
+/// The numbers for a spring of that stiffness (N/m, > 0) and damping (N s/m, >= 0) in a joint,
+/// with the present masses of its bodies; of a RevoluteJoint N m/rad and N m s/rad. Throws
+/// BadDefinition for a joint without a spring and for bodies that nothing moves.
+///
+///   hertz = sqrt(stiffness / m) / (2 pi),  damping ratio = damping / (2 sqrt(stiffness m))
+KODO_API Spring springOf(const World& world, const JointDef& def, Real stiffness, Real damping = 0);
+
 } // namespace KODO_PRECISION
 } // namespace kodo

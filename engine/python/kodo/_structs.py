@@ -256,7 +256,14 @@ class BodyState(ctypes.Structure):
 
 
 class Part(ctypes.Structure):
-    _fields_ = [("shape", Shape), ("material", Material), ("density", Real)]
+    _fields_ = [
+        ("shape", Shape),
+        ("material", Material),
+        ("density", Real),
+        ("hasFilter", c_bool),
+        ("filter", Filter),
+        ("userData", c_uint64),
+    ]
 
 
 class Velocity(ctypes.Structure):
@@ -398,6 +405,10 @@ class _Joints(ctypes.Union):
 class JointDef(ctypes.Structure):
     _anonymous_ = ("joints",)
     _fields_ = [("head", Head), ("kind", c_int32), ("joints", _Joints)]
+
+
+class Spring(ctypes.Structure):
+    _fields_ = [("hertz", Real), ("damping", Real)]
 
 
 class JointState(ctypes.Structure):

@@ -4,17 +4,25 @@ from __future__ import annotations
 
 import ctypes
 from ctypes import byref
-from typing import TYPE_CHECKING, List, Optional, Union
+from typing import TYPE_CHECKING, List, Optional, Tuple, Union
 
 from . import _structs as c
 from ._library import Real, call
 from .shapes import BuiltShape, MassDef, Part, Primitive, from_shape, to_mass
-from .values import (Aabb, BodyId, BodyType, Material, Transform, Vec2, from_aabb, from_body_id,
-                     from_material, from_transform, from_vec2, to_body_id, to_material,
+from .values import (Aabb, BodyId, BodyType, Filter, Material, Transform, Vec2, from_aabb, from_body_id,
+                     from_material, from_transform, from_vec2, to_body_id, to_filter, to_material,
                      to_rot, to_vec2)
 
 if TYPE_CHECKING:
     from .world import World
+
+
+def _built(part: Part) -> Tuple[BuiltShape, c.Part]:
+    """A part in C, and what keeps its shape alive."""
+    built = BuiltShape(part.shape)
+    which = to_filter(part.filter or Filter())
+    return built, c.Part(built.struct, to_material(part.material), part.density,
+                         part.filter is not None, which, part.user_data)
 
 
 class Body:
@@ -211,7 +219,15 @@ class Body:
                 break
             room = part.shape.polygon.cornerCount
         shape = from_shape(part.shape, [from_vec2(corner) for corner in corners])
-        return Part(shape, from_material(part.material), part.density)
+        which = part.filter
+        own = Filter(which.flags, which.required, which.group) if part.hasFilter else None
+        return Part(shape, from_material(part.material), part.density, own, part.userData)
+
+    def set_part(self, index: int, part: Part) -> None:
+        """Changes a part: `body.set_part(0, dataclasses.replace(body.parts[0], density=2))`. A
+        mass that was set stays: then the shape must stay too."""
+        built, made = _built(part)
+        self._call("kodo_setPart", ctypes.c_size_t(index), byref(made))
 
     def velocity_at(self, point: Vec2) -> Vec2:
         """m/s, of the body at a point of the world (m)."""
@@ -286,8 +302,7 @@ class Body:
             self._call("kodo_weld", to_body_id(part.id), byref(first))
         else:
             given = part if isinstance(part, Part) else Part(part, density=density)
-            built = BuiltShape(given.shape)
-            made = c.Part(built.struct, to_material(given.material), given.density)
+            built, made = _built(given)
             self._call("kodo_weldPart", byref(made), byref(first))
         return first.value
 

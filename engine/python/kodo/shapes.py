@@ -8,7 +8,7 @@ from typing import List, Optional, Sequence, Tuple, Union
 
 from . import _structs as c
 from ._library import Real, library
-from .values import Material, Vec2, from_vec2, to_array, to_material, to_rot, to_vec2
+from .values import Filter, Material, Vec2, from_vec2, to_array, to_material, to_rot, to_vec2
 
 
 @dataclasses.dataclass(frozen=True)
@@ -193,6 +193,8 @@ class Part:
     shape: Primitive  #: in the frame of the body's shape
     material: Material = Material()
     density: float = 1.0  #: kg/m^2
+    filter: Optional[Filter] = None  #: instead of the filter and the SENSOR of the body
+    user_data: int = 0  #: 0 to 2^64 - 1; the engine never reads it
 
 
 @dataclasses.dataclass(frozen=True)

@@ -266,6 +266,15 @@ class World:
         """Changes some numbers of a joint: `change_joint(hinge, motor_speed=3)`."""
         self.set_joint(joint, dataclasses.replace(self.joint(joint), **numbers))
 
+    def spring_of(self, joint: Joint, stiffness: float,
+                  damping: float = 0.0) -> Tuple[float, float]:
+        """(hertz, damping) for a spring of that stiffness (N/m) and damping (N s/m), with the
+        present masses of the bodies; of a RevoluteJoint N m/rad and N m s/rad."""
+        spring = c.Spring()
+        call("kodo_springOf", self.handle, byref(to_joint(joint)), Real(stiffness), Real(damping),
+             byref(spring))
+        return (spring.hertz, spring.damping)
+
     def joint_state(self, joint: JointId) -> JointState:
         """Angle, length and translation of a joint, their speeds, and its anchors in the world."""
         state = c.JointState()

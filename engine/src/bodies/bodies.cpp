@@ -333,6 +333,7 @@ void refreshDerived(Bodies& bodies, std::uint32_t index) {
     const BodyGeometry& geometry = bodies.geometry(index);
     bodies.extent[index] = {geometry.rotationReach, geometry.coreRadius};
     bodies.parts[index] = geometry.parts.data();
+    bodies.changes.partFilters = bodies.changes.partFilters || geometry.filters;
     const Mass& mass = geometry.mass;
     const Flags flags = bodies.filter[index].flags;
     const Flags locks = locksOf(flags);

@@ -46,6 +46,7 @@ struct BodyChanges {
     std::vector<std::uint32_t> entered;    // active without an acceleration; also repeated or gone
     bool loadsStale = true;                // Bodies::loads
     bool anyDamped = false;                // some body has, or had, a damping
+    bool partFilters = false;              // some part has, or had, a filter of its own
 };
 
 /// All bodies of a World as parallel arrays, indexed by BodyId::index. A free slot has zero
@@ -77,8 +78,7 @@ struct Bodies {
     Real thinnest = 0;
     LoadRange loads; // see noteLoads()
     BodyChanges changes;
-    /// 0 if `thinnest` is exact. Otherwise it counts changes and steps; a quarter of the number of
-    /// bodies starts the next computation.
+    /// 0 if `thinnest` is exact, else changes and steps until it is computed: a quarter of `size`.
     std::size_t thinnestAge = 1;
     bool anyStopped = false;        // a kinematic body in the list has become motionless
     bool anySleeping = true;        // during the solve

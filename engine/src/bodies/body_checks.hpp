@@ -53,6 +53,8 @@ inline constexpr Flags kKnownFlags =
 std::optional<Problem> checkFlags(const char* field, Flags value);
 /// The categories that a mode compares.
 std::optional<Problem> checkRequired(const char* field, Flags value);
+/// A filter of a part.
+std::optional<Problem> checkPartFilter(const CollisionFilter& filter);
 /// A filter of a query, a field or of forces on all bodies: without a mode, `required` would
 /// accept all.
 std::optional<Problem> checkFilter(CollisionFilter which);

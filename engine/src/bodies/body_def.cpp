@@ -29,6 +29,22 @@ std::optional<Problem> checkType(const BodyDef& def) {
     return checkPlaneType(def.shape, def.flags | bitsOf(def.type));
 }
 
+/// Match mode and categories of a body or a part.
+std::optional<Problem> checkMatch(const char* field, const CollisionFilter& filter) {
+    if (auto problem = checkRequired(field, filter.required)) {
+        return problem;
+    }
+    if (filter.required == 0 && (filter.flags & (kMatchAny | kMatchAll)) != 0) {
+        return Problem{field, "must have a category with kMatchAny or kMatchAll, but is 0: the "
+                              "body would collide with nothing, as kDisabled says"};
+    }
+    if (filter.required != 0 && (filter.flags & kMatchModes) == 0) {
+        return Problem{field, "has no effect without a match mode: add kMatchAny, kMatchAll or "
+                              "kMatchEqual to flags"};
+    }
+    return std::nullopt;
+}
+
 std::optional<Problem> checkModes(const char* field, Flags value) {
     const Flags mode = value & kMatchModes;
     if ((mode & (mode - 1)) != 0) {
@@ -111,6 +127,15 @@ std::optional<Problem> checkRequired(const char* field, Flags value) {
     return std::nullopt;
 }
 
+std::optional<Problem> checkPartFilter(const CollisionFilter& filter) {
+    if ((filter.flags & ~(kUserFlags | kMatchModes | kSensor)) != 0) {
+        return Problem{"filter.flags", "must have categories, a match mode and kSensor alone: "
+                                       "locks and other flags are those of the body"};
+    }
+    const auto problem = checkModes("filter.flags", filter.flags);
+    return problem ? problem : checkMatch("filter.required", filter);
+}
+
 std::optional<Problem> checkFilter(CollisionFilter which) {
     if (auto problem = checkModes("which.flags", which.flags)) {
         return problem;
@@ -173,17 +198,8 @@ std::optional<Problem> check(const BodyDef& def, Real lengthUnit) {
     if (auto problem = checkFlags("flags", def.flags)) {
         return problem;
     }
-    if (auto problem = checkRequired("required", def.required)) {
+    if (auto problem = checkMatch("required", {def.flags, def.required})) {
         return problem;
-    }
-    if (def.required == 0 && (def.flags & (kMatchAny | kMatchAll)) != 0) {
-        return Problem{"required", "must have a category with kMatchAny or kMatchAll, but is 0: "
-                                   "the body would collide with nothing, as kDisabled says"};
-    }
-    if (def.required != 0 && (def.flags & kMatchModes) == 0) {
-        return Problem{"required",
-                       "has no effect without a match mode: add kMatchAny, kMatchAll or "
-                       "kMatchEqual to flags"};
     }
     if (auto problem = checkPosition("position", def.position, lengthUnit)) {
         return problem;

@@ -49,6 +49,16 @@ std::optional<Problem> checkOfShape(const char* what, Real value, Real low, Real
 
 } // namespace
 
+std::optional<Problem> checkRules(const Part& part) {
+    if (auto problem = check(part.material)) {
+        return problem;
+    }
+    if (auto problem = checkDensity(part.density)) {
+        return problem;
+    }
+    return part.filter ? checkPartFilter(*part.filter) : std::nullopt;
+}
+
 std::optional<Problem> checkMass(const Mass& mass) {
     if (auto problem = checkOfShape("mass", mass.mass, 1 / kMaxMass, kMaxMass, "kg")) {
         return problem;
@@ -161,6 +171,7 @@ std::shared_ptr<const BodyGeometry> makeGeometry(PartList list) {
         geometry->boundingRadius = std::max(geometry->boundingRadius, part.convex.boundingRadius);
         geometry->rotationReach = std::max(geometry->rotationReach, part.convex.rotationReach());
         geometry->coreRadius = std::min(geometry->coreRadius, part.convex.coreRadius);
+        geometry->filters = geometry->filters || part.filter.has_value();
         geometry->area += std::visit([](const auto& kind) { return areaOf(kind); }, part.primitive);
     }
     linkLines(parts);

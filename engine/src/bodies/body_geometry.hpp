@@ -23,6 +23,7 @@ struct BodyGeometry : PartList {
     Real boundingRadius = 0; // m; largest distance of a point from the centre of mass
     Real rotationReach = 0;  // m; largest of all parts, see ConvexShape
     Real coreRadius = 0;     // m; smallest of all parts
+    bool filters = false;    // some part has a filter of its own
 };
 
 /// A body without one of its parts, and that part.

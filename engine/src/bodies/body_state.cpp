@@ -62,8 +62,7 @@ void checkList(const PartList& list) {
     require(!list.parts.empty(), "a body has no parts");
     for (const Part& part : list.parts) {
         require(checkMoved(part.primitive));
-        require(check(part.material));
-        require(checkDensity(part.density));
+        require(checkRules(part));
     }
     std::size_t next = 0;
     for (const SetMass& set : list.setMasses) {
@@ -139,8 +138,8 @@ void makeRoom(Bodies& bodies, std::size_t count) {
 } // namespace
 
 void visitState(StateStream& stream, Part& part) {
-    auto& [primitive, material, density, convex] = part; // the convex shape follows
-    stream(primitive, material, density);
+    auto& [primitive, material, density, filter, userData, convex] = part; // `convex` follows
+    stream(primitive, material, density, filter, userData);
 }
 
 void PartList::visitState(StateStream& stream) {

@@ -3,6 +3,7 @@
 
 #include "bodies/bodies.hpp"
 #include "bodies/body_checks.hpp"
+#include "bodies/part_filter.hpp"
 
 #include <stdexcept>
 #include <string>
@@ -94,6 +95,12 @@ const Part& BodyView::part(std::size_t index) const {
                                 std::to_string(parts.size()) + " of them, counted from 0");
     }
     return parts[index];
+}
+CollisionFilter BodyView::filter(std::size_t part) const {
+    static_cast<void>(this->part(part)); // throws for an index that is too high
+    CollisionFilter filter = filterOf(*bodies_, index(), part);
+    filter.flags &= ~kTypeBits;
+    return filter;
 }
 const Transform& BodyView::massFrame() const {
     return bodies_->pose[index()];

@@ -125,7 +125,8 @@ FormerBody formerBody(const PartList& list, std::size_t part) {
 void append(PartList& list, const PartList& added, const Transform& place, const FormerBody& body) {
     const std::size_t before = list.parts.size();
     for (const Part& part : added.parts) {
-        list.parts.push_back({moved(part.primitive, place), part.material, part.density});
+        list.parts.push_back(part);
+        list.parts.back().primitive = moved(part.primitive, place);
     }
     for (SetMass set : added.setMasses) {
         set.firstPart += static_cast<std::uint32_t>(before);

@@ -37,6 +37,9 @@ struct FormerBody {
     MotionRules rules;
 };
 
+/// Checks material, density and filter of a part.
+std::optional<Problem> checkRules(const Part& part);
+
 /// What a definition says of a part.
 void visitState(StateStream& stream, Part& part);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "contacts/candidate_pairs.hpp"
 
+#include "bodies/part_filter.hpp"
+
 #include <algorithm>
 #include <array>
 
@@ -138,8 +140,10 @@ bool CandidatePairs::search(const Bodies& bodies, const JointLists& joints, Work
         }
         const std::uint32_t a = bounds_.part(i).body;
         const std::uint32_t b = bounds_.part(j).body;
-        const Flags flagsA = bodies.filter[a].flags;
-        const Flags flagsB = bodies.filter[b].flags;
+        const CollisionFilter filterA = filterOf(bodies, a, bounds_.part(i).part);
+        const CollisionFilter filterB = filterOf(bodies, b, bounds_.part(j).part);
+        const Flags flagsA = filterA.flags;
+        const Flags flagsB = filterB.flags;
         const bool sensor = ((flagsA ^ flagsB) & kSensor) != 0; // exactly one of them
         // An inactive body that arrives may touch a sleeping one: see SleepSystem::wakeTouched.
         const auto arrives = [&] {
@@ -149,7 +153,7 @@ bool CandidatePairs::search(const Bodies& bodies, const JointLists& joints, Work
         return a != b && (sensor || !(bodies.locked(a) && bodies.locked(b))) &&
                (sensor || ((flagsA & flagsB) & kSensor) == 0) &&
                (bodies.active(a) || bodies.active(b) || arrives()) &&
-               shouldCollide(bodies.filter[a], bodies.filter[b]) && !joints.exclude(a, b);
+               shouldCollide(filterA, filterB) && !joints.exclude(a, b);
     };
     nodePairs_.clear();
     trees_.findNodePairs(anyArrived_, nodePairs_);

@@ -3,6 +3,7 @@
 
 #include <kodo/geometry.hpp>
 
+#include "bodies/part_filter.hpp"
 #include "collide/one_sided.hpp"
 #include "contacts/line_side.hpp"
 
@@ -269,7 +270,8 @@ void describeContact(Contact& contact, const Bodies& bodies) {
     const auto& [bodyA, partA, bodyB, partB] = contact.key;
     contact.a = bodies.idAt(bodyA);
     contact.b = bodies.idAt(bodyB);
-    contact.sensor = ((bodies.filter[bodyA].flags | bodies.filter[bodyB].flags) & kSensor) != 0;
+    const Flags flags = filterOf(bodies, bodyA, partA).flags | filterOf(bodies, bodyB, partB).flags;
+    contact.sensor = (flags & kSensor) != 0;
     contact.material =
         mix(bodies.parts[bodyA][partA].material, bodies.parts[bodyB][partB].material);
     contact.bounces = contact.material.restitution > 0;

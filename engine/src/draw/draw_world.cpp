@@ -175,8 +175,11 @@ std::vector<std::uint32_t> islandsOf(const World& world, std::span<const BodyId>
         return index;
     };
     const auto isMoved = [&](BodyId id) {
-        return world.contains(id) && world[id].type() == BodyType::Dynamic &&
-               (world[id].flags() & kSensor) == 0;
+        return world.contains(id) && world[id].type() == BodyType::Dynamic;
+    };
+    const auto isSensor = [&](BodyId id, std::size_t part) {
+        return world.contains(id) && part < world[id].partCount() &&
+               (world[id].filter(part).flags & kSensor) != 0;
     };
     const auto connect = [&](BodyId a, BodyId b) {
         if (isMoved(a) && isMoved(b)) {
@@ -185,7 +188,8 @@ std::vector<std::uint32_t> islandsOf(const World& world, std::span<const BodyId>
         }
     };
     for (const CollisionRecord& record : world.collisions()) {
-        if (record.phase != TouchPhase::End) {
+        if (record.phase != TouchPhase::End && !isSensor(record.a, record.partA) &&
+            !isSensor(record.b, record.partB)) {
             connect(record.a, record.b);
         }
     }
@@ -222,7 +226,11 @@ void drawShapes(const BodyView& body, DrawStyle style, DebugDraw& target) {
     for (std::size_t i = 0; i < body.partCount(); ++i) {
         const ConvexShape& shape = body.part(i).convex;
         if (overlap(boundsOf(shape, body.massFrame()), target.view())) {
-            draw(shape, body.massFrame(), target, style);
+            DrawStyle own = style;
+            if ((body.filter(i).flags & kSensor) != 0) {
+                own.fill = {};
+            }
+            draw(shape, body.massFrame(), target, own);
         }
     }
     if (body.area() > 0 && std::isfinite(body.area())) {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "joints/spring_rates.hpp"
 
+#include "base/checks.hpp"
 #include "joints/anchor.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numbers>
 #include <type_traits>
 
@@ -20,7 +23,42 @@ inline constexpr bool kHasSpring = requires(Joint joint) {
 }
 &&!std::is_same_v<Joint, MotorJoint>;
 
+/// Inverse of the mass (kg) or moment of inertia (kg m^2) that `hertz` is about: see JointKinds.
+template <typename Joint>
+Real giveOf(const Bodies& bodies, const Joint& joint) {
+    const JointEnds& ends = joint.ends;
+    const BodyVelocity& a = bodies.motion[ends.a.index];
+    const BodyVelocity& b = bodies.motion[ends.b.index];
+    const Vec2 armA = armOf(bodies, ends.a.index, {}, ends.anchorA);
+    const Vec2 armB = armOf(bodies, ends.b.index, {}, ends.anchorB);
+    if constexpr (std::is_same_v<Joint, RevoluteJoint>) {
+        return inverseAbout(a, armA) + inverseAbout(b, armB);
+    }
+    const Real free = a.invMass + b.invMass;
+    return free > 0 ? free
+                    : a.invInertia * lengthSquared(armA) + b.invInertia * lengthSquared(armB);
+}
+
 } // namespace
+
+Spring springOf(const Bodies& bodies, const JointDef& def, Real stiffness, Real damping) {
+    refuse(checkPositive("stiffness", stiffness, std::numeric_limits<Real>::max(), "N/m"));
+    refuse(checkNotNegative("damping", damping, "N s/m"));
+    const Real give = std::visit(
+        [&](const auto& kind) -> Real {
+            if constexpr (kHasSpring<std::decay_t<decltype(kind)>>) {
+                return giveOf(bodies, kind);
+            } else {
+                throw BadDefinition({"joint", "must be one with a spring between two bodies"});
+            }
+        },
+        def);
+    if (!(give > 0)) {
+        throw BadDefinition({"joint", "has no body that the spring could move"});
+    }
+    const Real omega = std::sqrt(stiffness * give); // rad/s
+    return {omega / (2 * std::numbers::pi_v<Real>), damping * give / (2 * omega)};
+}
 
 /// The lever of a spring is at most its arm, as the spring itself has none: bodies may turn far in
 /// a step. Bodies that can only rotate have no other mass than that at the anchors.

@@ -47,5 +47,8 @@ private:
     std::vector<Real> largest_; // by body; zero outside of find()
 };
 
+/// See World::springOf().
+Spring springOf(const Bodies& bodies, const JointDef& def, Real stiffness, Real damping);
+
 } // namespace KODO_PRECISION
 } // namespace kodo

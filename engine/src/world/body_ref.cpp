@@ -257,6 +257,25 @@ void BodyRef::setMaterial(const Material& material) {
     world_->bodyChanged(body);
 }
 
+void BodyRef::setPart(std::size_t index, const Part& part) {
+    const std::uint32_t body = changing("BodyRef::setPart");
+    const Part& old = this->part(index);
+    refuse(checkRules(part));
+    PartList list = world_->bodies_.geometry(body);
+    list.parts[index] = part;
+    if (!(part.primitive == old.primitive)) {
+        refuse(check(part.primitive));
+        refuse(checkPlaneType(part.primitive, world_->bodies_.filter[body].flags));
+        if (hasSetMass()) {
+            refuse(Problem{"primitive", "must stay while a mass is set: call setMassFromDensity() "
+                                        "before, and setMass() after"});
+        }
+    }
+    refuse(checkParts(list.parts, world_->tolerances_.unit()));
+    setGeometryInMotion(world_->bodies_, body, makeGeometry(std::move(list)));
+    world_->bodyChanged(body);
+}
+
 void BodyRef::setLinearDamping(Real perSecond) {
     const std::uint32_t body = changing("BodyRef::setLinearDamping");
     world_->setRules(body, {perSecond, angularDamping(), gravityScale()});

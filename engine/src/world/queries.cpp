@@ -4,6 +4,7 @@
 
 #include "base/checks.hpp"
 #include "bodies/body_checks.hpp"
+#include "bodies/part_filter.hpp"
 #include "world/except_list.hpp"
 #include "world/query_checks.hpp"
 #include "world/world_impl.hpp"
@@ -102,15 +103,15 @@ private:
     auto ifAsked(Visit& visit) const {
         return [&](std::uint32_t i) {
             const PartBounds::Part& part = parts_.bounds().part(i);
-            if (isAsked(part.body)) {
+            if (isAsked(part)) {
                 visit(part.body, part.part);
             }
         };
     }
-    bool isAsked(std::uint32_t body) const {
-        const CollisionFilter& filter = bodies_.filter[body];
+    bool isAsked(const PartBounds::Part& part) const {
+        const CollisionFilter filter = filterOf(bodies_, part.body, part.part);
         return (filter.flags & kDisabled) == 0 && accepts(which_, filter) &&
-               !except_.contains(body);
+               !except_.contains(part.body);
     }
 
     const Bodies& bodies_;

@@ -11,7 +11,7 @@ inline namespace KODO_PRECISION {
 namespace {
 
 constexpr std::uint32_t kMagic = 0x6f646f4b; // "Kodo"
-constexpr std::uint32_t kFormat = 19;        // increases with every change of visitState()
+constexpr std::uint32_t kFormat = 20;        // increases with every change of visitState()
 constexpr std::size_t kChecksumSize = sizeof(std::uint64_t);
 
 void refuseUnless(bool good, const std::string& sentence) {

@@ -207,5 +207,12 @@ std::uint64_t World::stateHash() const {
 StepStats stepStats(const World& world) {
     return world.impl().stats();
 }
+Spring springOf(const World& world, const JointDef& def, Real stiffness, Real damping) {
+    const Bodies& bodies = world.impl().bodyData();
+    requireAlive(bodies, firstBody(def), "joint");
+    requireAlive(bodies, secondBody(def), "joint");
+    return springOf(bodies, def, stiffness, damping);
+}
+
 } // namespace KODO_PRECISION
 } // namespace kodo

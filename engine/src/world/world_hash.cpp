@@ -141,6 +141,9 @@ void addDefinitions(StateHash& hash, const WorldImpl& world) {
             }
             writeMaterial(stream, part.material);
             stream.write(part.density);
+            if (part.filter || part.userData != 0) {
+                stream.write(part.filter, part.userData);
+            }
         }
         for (const SetMass& set : list.setMasses) { // nothing is added if none was set
             stream.write(set);
