@@ -13,7 +13,7 @@ from check_sizes import blank_comments_and_strings, run  # noqa: E402
 # Folders of engine/src, lowest first: each may include the folders before it.
 ENGINE = (
     "base math shapes broad collide bodies lanes contacts joints impacts soft propagation"
-    " continuous sleep world draw"
+    " continuous sleep world draw helpers"
 ).split()
 
 # Public headers, engine/include/kodo/NAME.hpp, by the layer that they belong to. A folder of the
@@ -25,6 +25,7 @@ PUBLIC = {
     "bodies": "filter body force_field settings collision_record joint",
     "world": "world query snapshot kodo",
     "draw": "debug_draw",
+    "helpers": "mover explosion",
 }
 LAYER_OF = {name: layer for layer, names in PUBLIC.items() for name in names.split()}
 
@@ -32,6 +33,7 @@ LAYER_OF = {name: layer for layer, names in PUBLIC.items() for name in names.spl
 MAY_USE = {f"engine/src/{name}": ENGINE[:i] for i, name in enumerate(ENGINE)}
 MAY_USE["engine/src/broad"] = ["base", "math"]  # works on bounds, not on shapes
 MAY_USE["engine/src/draw"] = []  # uses the public headers alone
+MAY_USE["engine/src/helpers"] = []  # likewise
 MAY_USE["engine/include/kodo"] = ["public"]
 MAY_USE["engine/c/kodo_c"] = ["public"]
 MAY_USE["engine/c/examples"] = []

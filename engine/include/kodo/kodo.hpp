@@ -18,7 +18,9 @@
 
 #include <kodo/debug_draw.hpp>
 #include <kodo/executor.hpp>
+#include <kodo/explosion.hpp>
 #include <kodo/geometry.hpp>
+#include <kodo/mover.hpp>
 #include <kodo/query.hpp>
 #include <kodo/snapshot.hpp>
 #include <kodo/state_hash.hpp>

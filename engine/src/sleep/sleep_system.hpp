@@ -7,6 +7,7 @@
 #include "contacts/contact_set.hpp"
 #include "joints/joint_set.hpp"
 
+#include <algorithm>
 #include <span>
 #include <utility>
 #include <vector>
@@ -74,6 +75,24 @@ public:
         for (const Island& island : islands_) {
             for (const StoredContact& contact : island.contacts) {
                 visit(contact);
+            }
+        }
+    }
+    /// Visits the contacts of sleeping islands to which a body belongs or has contacts; some of
+    /// them twice.
+    template <typename Visit>
+    void forEachContactNear(const Bodies& bodies, std::uint32_t body, Visit visit) const {
+        const std::uint32_t own = bodies.sleep[body].island;
+        if (own != SleepState::kNoIsland) {
+            std::for_each(islands_[own].contacts.begin(), islands_[own].contacts.end(), visit);
+        }
+        if (body >= neighboursOf_.size()) {
+            return;
+        }
+        for (const NeighbourIsland& neighbour : neighbourIslands_[neighboursOf_[body]]) {
+            if (!hasWoken(neighbour)) {
+                const std::vector<StoredContact>& all = islands_[neighbour.island].contacts;
+                std::for_each(all.begin(), all.end(), visit);
             }
         }
     }

@@ -89,6 +89,7 @@ public:
 private:
     friend class BodyRef;
     friend class WorldStep;
+    friend std::vector<BodyId> touching(const World& world, BodyId id);
 
     void jointsChanged(const JointDef& def);
     void notePairChanges();
