@@ -173,9 +173,9 @@ class Trial:
     def link(self):
         made = self.browser.call("POST", "/execute/async", {"args": [], "script": """
             const done = arguments[0];
-            const text = FS.readFile("/player/apart/last.replay");
-            through(new CompressionStream("deflate-raw"), text)
-                .then((packed) => done([toLink(packed), text.length]));"""})
+            const file = "/player/apart/last.replay";
+            const link = Module.ccall("linkOfLastGame", "string", ["string"], [file]);
+            done([link.slice("#replay=".length), FS.readFile(file).length]);"""})
         print(f"a replay of {made[1]} bytes is a link of {len(made[0])} letters")
         self.browser.open(self.address + "#replay=" + made[0])
         self.expect(wait(self.browser, 1, lambda tick: tick > 60), "the link of a replay plays it")

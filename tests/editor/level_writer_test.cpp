@@ -107,6 +107,10 @@ x = -6000
 y = 0
 spacing = 1000
 heights = [0, 500, 0]
+[[ground]]
+points = [[-4000, 4000], [-1000, 3000], [-2000, 5000]]
+turf = "sand"
+mirror = true
 [[well]]
 x = 0
 y = 9000
@@ -162,8 +166,8 @@ TEST(LevelWriter, KnowsEveryMember) {
     [[maybe_unused]] const auto& [linkKind, a, b, fromX, fromY, toX, toY, slack, hertz, axis,
                                   limited, low, high, speed, torque, force] = link;
     const ObstructionDef obstruction;
-    [[maybe_unused]] const auto& [of, ox, oy, size, kick, facing, spacing, heights, thick, tilt] =
-        obstruction;
+    [[maybe_unused]] const auto& [of, ox, oy, size, kick, facing, spacing, heights, thick, tilt,
+                                  points, turf] = obstruction;
     const WellDef well;
     [[maybe_unused]] const auto& [wx, wy, pull] = well;
     const WaterDef water;

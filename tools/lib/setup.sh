@@ -20,7 +20,7 @@ export CCACHE_DEPEND=1
 packages_build=(g++:g++ cmake:cmake ninja-build:ninja ccache:ccache
     libtomlplusplus-dev libcli11-dev libfmt-dev)
 # shellcheck disable=SC2034
-packages_view=(libsfml-dev libimgui-dev)
+packages_view=(libsfml-dev libimgui-dev libgif-dev)
 # shellcheck disable=SC2034
 packages_test=(libgtest-dev libbox2d-dev python3:python3 pkgconf:pkg-config dpkg-dev:dpkg-shlibdeps)
 # shellcheck disable=SC2034

@@ -115,6 +115,23 @@ kodo::JointEnds endsOf(const LinkDef& link, kodo::BodyView a, kodo::BodyView b) 
 
 } // namespace
 
+FreeBlock usualBlock(Form form) {
+    constexpr std::array<std::array<std::int32_t, 3>, kFormNames.size()> kSizes = {
+        {{1600, 800, 0},
+         {3200, 400, 0},
+         {2400, 200, 0},
+         {800, 800, 0},
+         {1600, 800, 0},
+         {1600, 800, 0},
+         {800, 800, 0},
+         {1200, 1200, 0},
+         {2000, 800, 30000}, // a voussoir of an arch of 2 m
+         {1600, 1600, 400},
+         {1600, 1600, 400}}};
+    const auto& [width, height, extra] = kSizes[static_cast<std::size_t>(form)];
+    return {.form = form, .width = width, .height = height, .extra = extra};
+}
+
 PlacedShape placedShapeOf(const FreeBlock& block) {
     const Vec2 place{metres(block.x), metres(block.y)};
     const Rot rotation = block.turn == 0 ? Rot{} : Rot::fromAngle(radians(block.turn));

@@ -52,6 +52,10 @@ struct FreeBlock {
     friend bool operator==(const FreeBlock&, const FreeBlock&) = default;
 };
 
+/// A block of the usual size of its form, at the origin. A voussoir has a radius of 2 m and spans
+/// 30 degrees.
+FreeBlock usualBlock(Form form);
+
 /// The shape of a free block in its frame, and the place of that frame in the field.
 struct PlacedShape {
     kodo::Shape shape;

@@ -20,24 +20,6 @@ constexpr std::int32_t kFullTurn = 360000; // 1/1000 degree
 constexpr std::int32_t kThinnest = 100;    // 1/1000 m
 constexpr char kNoLetter = '\0';           // of the kind of blocks with an unknown kind
 
-struct Size {
-    std::int32_t width;
-    std::int32_t height;
-    std::int32_t extra;
-};
-// By Form, 1/1000 m. A voussoir has none.
-constexpr std::array<Size, 11> kUsualSizes = {{{1600, 800, 0},
-                                               {3200, 400, 0},
-                                               {2400, 200, 0},
-                                               {800, 800, 0},
-                                               {1600, 800, 0},
-                                               {1600, 800, 0},
-                                               {800, 800, 0},
-                                               {1200, 1200, 0},
-                                               {0, 800, 0},
-                                               {1600, 1600, 400},
-                                               {1600, 1600, 400}}};
-
 /// The text with the number at its end raised by `more`.
 std::string raised(const std::string& text, std::int32_t more) {
     const std::size_t end = text.find_last_not_of("0123456789") + 1; // npos + 1 is 0
@@ -102,7 +84,7 @@ void BuildingReader::forCopies(
 }
 
 void BuildingReader::readSize(const toml::table& table, FreeBlock& block) {
-    const Size usual = kUsualSizes[static_cast<std::size_t>(block.form)];
+    const FreeBlock usual = usualBlock(block.form);
     if (block.form == Form::Voussoir) {
         block.width = keys_.number(table, "radius", {500, 2 * kEdge, std::nullopt});
         block.height = keys_.number(table, "height", {kThinnest, kTop, usual.height});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/endless.hpp>
+#include <apart/core/replay_link.hpp>
 #include <apart/core/run.hpp>
 
 #include <algorithm>
@@ -69,11 +70,16 @@ Read<ReplayRun> parseRun(std::string_view text, const std::string& file) {
 }
 
 Read<ReplayRun> readRunFile(const std::filesystem::path& path) {
+    if (isLink(path.string())) {
+        return runOfLink(path.string());
+    }
     const Read<std::string> text = readTextFile(path, kLargestReplay);
     if (const auto* problem = std::get_if<FileProblem>(&text)) {
         return *problem;
     }
-    return parseRun(std::get<std::string>(text), path.string());
+    const std::string& content = std::get<std::string>(text);
+    return content.starts_with(kPackedMark) ? unpacked(content, path.string())
+                                            : parseRun(content, path.string());
 }
 
 std::string toText(const ReplayRun& run) {

@@ -21,6 +21,7 @@ using ReplayRun = std::vector<Replay>;
 /// A file of several replays is refused unless they are consecutive endless levels of one seed, one
 /// mode and one version of the rules.
 Read<ReplayRun> parseRun(std::string_view text, const std::string& file);
+/// The path may also be a link, see replay_link.hpp; its file may be packed.
 Read<ReplayRun> readRunFile(const std::filesystem::path& path);
 std::string toText(const ReplayRun& run);
 

@@ -65,6 +65,36 @@ std::string takeReplay(StageDef& def, const std::string& file) {
     return {};
 }
 
+/// Starts with the level of a replay, and its serves, beside that game.
+std::string takeRival(StageDef& def, const std::string& file) {
+    Read<ReplayRun> read = readRunFile(file);
+    if (const auto* problem = std::get_if<FileProblem>(&read)) {
+        return problem->text() + ".";
+    }
+    Replay& rival = std::get<ReplayRun>(read).front();
+    if (parseEndless(rival.level)) {
+        return "A replay of an endless level cannot be a ghost.";
+    }
+    if (const std::string problem = takeLevel(def, rival.level); !problem.empty()) {
+        return problem;
+    }
+    if (const auto reason = refusal(rival, *def.levels[def.firstLevel])) {
+        return "The ghost cannot play: the replay " + *reason + ".";
+    }
+    def.seed = rival.seed;
+    def.rival = std::move(rival);
+    return {};
+}
+
+std::string takeEdit(StageDef& def, const std::string& file) {
+    std::variant<EditorStart, std::string> start = editorOfFile(file);
+    if (auto* problem = std::get_if<std::string>(&start)) {
+        return std::move(*problem);
+    }
+    def.firstEdit = std::get<EditorStart>(std::move(start));
+    return {};
+}
+
 /// The replays of the player.
 std::vector<ShowEntry> replaysIn(const std::filesystem::path& folder, const LevelList& levels) {
     std::vector<ShowEntry> entries;
@@ -96,6 +126,9 @@ void takeProfile(StageDef& def) {
         return keepNothing(def.notices.back());
     }
     addOwnLevels(def, ownLevels());
+    def.edit = [levels = def.levels](const Level* level) {
+        return editorOf(level, levels, ownLevels());
+    };
     LoadedProfile loaded = loadProfile(*file);
     restoreScores(loaded, *file);
     def.profile = std::move(loaded.profile);
@@ -164,6 +197,10 @@ std::variant<StageDef, std::string> setUp(const StartOptions& options) {
     std::string problem;
     if (!options.replay.empty()) {
         problem = takeReplay(def, options.replay);
+    } else if (!options.ghost.empty()) {
+        problem = takeRival(def, options.ghost);
+    } else if (!options.edit.empty()) {
+        problem = takeEdit(def, options.edit);
     } else if (const auto row = parseEndless(options.level)) {
         runSeed = options.level == "endless" ? runSeed : std::optional(row->seed);
         def.firstEndless = row->number;

@@ -15,6 +15,8 @@ struct StartOptions {
     std::string level;                 // empty: choose on the title screen
     std::optional<std::uint32_t> seed; // nullopt: random
     std::string replay;                // file; empty: the player plays
+    std::string ghost;                 // file or link of a rival's replay; empty: none
+    std::string edit;                  // file of a level to edit; empty: none
     bool picture = false;              // the bot plays, and no profile is read
 };
 

@@ -3,9 +3,11 @@
 // expectation, a diverging replay or a failed level check, 2 wrong use or a bad file.
 #include <apart/core/assets.hpp>
 #include <apart/core/bot.hpp>
+#include <apart/core/daily.hpp>
 #include <apart/core/endless.hpp>
 #include <apart/core/player.hpp>
 #include <apart/core/replay.hpp>
+#include <apart/core/replay_link.hpp>
 #include <apart/core/tuning.hpp>
 #include <apart/core/version.hpp>
 #include <apart/headless/lint_command.hpp>
@@ -33,12 +35,16 @@ void print(const Report& report, bool json) {
     fmt::print("{}\n", json ? asJson(report) : asSentence(report));
 }
 
+constexpr const char* kLinkHelp =
+    "Print a link to the game, to be put behind the address of a page of the game";
+
 struct BotOptions {
     std::string level;
     std::uint32_t seed = 1;
     std::uint32_t ticks = 5 * 60 * kTicksPerSecond;
     std::uint32_t hashEvery = kHashEvery;
     std::string record;
+    bool link = false;
     std::optional<BotKind> player{}; // good unless given
     std::optional<Mode> mode{};      // standard unless given
     bool json = false;
@@ -74,9 +80,7 @@ int playBot(const BotOptions& options) {
         while (game.ticks() < options.ticks && game.result() == Result::Playing) {
             const Input input = player.next(game);
             game.tick(input);
-            if (!options.record.empty()) {
-                recorder.record(input, game);
-            }
+            recorder.record(input, game);
             progress.show(game, options.ticks);
         }
     }
@@ -86,6 +90,9 @@ int playBot(const BotOptions& options) {
         }
     }
     print(reportOf(game), options.json);
+    if (options.link) {
+        fmt::print("{}\n", linkOf({recorder.finish(game)}));
+    }
     return 0;
 }
 
@@ -100,14 +107,17 @@ bool agrees(const std::string& file, const Playback& playback) {
     return false;
 }
 
-/// Plays one replay of a file and prints its report. False if an expectation is unmet or a hash
-/// differs.
-bool playReplay(const std::string& file, const Replay& replay, bool json) {
+/// Plays one replay of a file and prints its report; adds it to `daily`. False if an expectation is
+/// unmet or a hash differs.
+bool playReplay(const std::string& file, const Replay& replay, bool json, DailyResult& daily) {
     Playback playback = openReplay(file, replay);
     const std::optional<std::uint32_t> ended = playToEnd(playback);
     for (const Playback::Failure& failure : playback.failures()) {
         fmt::print(stderr, "{}:{}: {}\n", file, failure.expectation.line, failure.text());
     }
+    daily.score += playback.game().score();
+    daily.ticks += replay.end;
+    ++daily.levels;
     Report report = reportOf(playback.game());
     report.ended = ended;
     report.expectationsFailed = playback.failures().size();
@@ -120,10 +130,18 @@ bool playReplay(const std::string& file, const Replay& replay, bool json) {
     return agrees(file, playback) && playback.failures().empty();
 }
 
-int playRun(const std::string& file, bool json) {
+int playRun(const std::string& file, bool json, bool link) {
     bool good = true;
-    for (const Replay& replay : readRun(file)) {
-        good = playReplay(file, replay, json) && good;
+    const ReplayRun run = readRun(file);
+    DailyResult daily{.day = dailyOf(run).value_or(0)};
+    for (const Replay& replay : run) {
+        good = playReplay(file, replay, json, daily) && good;
+    }
+    if (daily.day > 0 && !json) {
+        fmt::print("{}\n", dailyLine(daily));
+    }
+    if (link) {
+        fmt::print("{}\n", linkOf(run));
     }
     return good ? 0 : 1;
 }
@@ -277,9 +295,10 @@ int run(int argc, char** argv) {
     CLI::App* replayCommand = app.add_subcommand("replay", "Play a replay; report expectations");
     CLI::App* verifyCommand = app.add_subcommand("verify", "Play a replay; compare state hashes");
     for (CLI::App* command : {replayCommand, verifyCommand}) {
-        command->add_option("FILE", file, "The replay")->required();
+        command->add_option("FILE", file, "The replay, or a link to one")->required();
         command->add_flag("--json", json, "Print one JSON object");
     }
+    replayCommand->add_flag("--link", options.link, kLinkHelp);
     CLI::App* botCommand = app.add_subcommand("bot", "Let the bot play a level until it ends");
     botCommand->add_option("--level", options.level, "Name of the level; the first unless given")
         ->check(wrongName, "");
@@ -288,6 +307,7 @@ int run(int argc, char** argv) {
     botCommand->add_option("--ticks", options.ticks, "Stop after so many ticks, 120 a second")
         ->check(CLI::Range(std::uint32_t{1}, kLongestReplay));
     botCommand->add_option("--record", options.record, "Write the game to this file, as a replay");
+    botCommand->add_flag("--link", options.link, kLinkHelp);
     botCommand->add_option("--hash-every", options.hashEvery, "Ticks between recorded hashes")
         ->check(CLI::Range(std::uint32_t{1}, kLongestReplay));
     addChoice(*botCommand, "--mode", options.mode, kModeNames)
@@ -315,7 +335,7 @@ int run(int argc, char** argv) {
         return 2;
     }
     if (replayCommand->parsed()) {
-        return playRun(file, json);
+        return playRun(file, json, options.link);
     }
     if (verifyCommand->parsed()) {
         return verify(file, json);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/assets.hpp>
 #include <apart/core/tuning.hpp>
+#include <apart/sfml/film.hpp>
 #include <apart/sfml/frame_times.hpp>
 #include <apart/sfml/inspector.hpp>
 #include <apart/sfml/interruption.hpp>
@@ -9,9 +10,12 @@
 #include <apart/sfml/sfml_controls.hpp>
 #include <apart/sfml/sfml_speaker.hpp>
 #include <apart/stage/layout.hpp>
+#include <apart/stage/profile_file.hpp>
 #include <apart/stage/stage.hpp>
 #include <kodo_sfml/display.hpp>
 #include <kodo_sfml/window.hpp>
+
+#include <SFML/Window/Clipboard.hpp>
 
 #include <chrono>
 #include <cstdio>
@@ -67,8 +71,30 @@ double secondsBetween(std::chrono::steady_clock::time_point from,
     return std::chrono::duration<double>(to - from).count();
 }
 
+/// A file that does not exist yet, beside the profile, or in the current folder without one.
+std::string filmFile() {
+    const std::optional<std::filesystem::path> profile = profileFile();
+    const std::filesystem::path folder = profile ? profile->parent_path() : ".";
+    std::filesystem::path path;
+    std::error_code error;
+    for (int i = 1; path.empty() || std::filesystem::exists(path, error); ++i) {
+        path = folder / ("fall" + std::to_string(i) + ".gif");
+    }
+    return path.string();
+}
+
 int play(StageDef def, const Options& options) {
     using Clock = std::chrono::steady_clock;
+    def.copy = [page = options.page](const std::string& text) {
+        std::string whole = text;
+        whole.insert(whole.find("#replay="), page);
+        sf::Clipboard::setString(whole);
+    };
+    def.film = [](const Rerun& fall) {
+        const std::string path = filmFile();
+        const std::string problem = writeFilm(fall, path);
+        return problem.empty() ? "The film is in " + path : problem;
+    };
     Stage stage(std::move(def));
     kodo_sfml::Window window("aPart", kPixels);
     SfmlCanvas canvas(assetsFolder() / "fonts", window.size());
@@ -149,6 +175,13 @@ int run(const Options& options) {
         complain("There is no display to open a window on. Set DISPLAY, or play without a window: "
                  "apart-headless bot.");
         return kNoDisplay;
+    }
+    if (!options.film.empty()) {
+        const std::string problem = filmReplay(options.replay, options.film);
+        if (!problem.empty()) {
+            complain(problem);
+        }
+        return problem.empty() ? kDone : kRefused;
     }
     StageDef stage = std::get<StageDef>(std::move(def));
     for (const auto* sentences : {&stage.leftOut, &stage.notices}) {

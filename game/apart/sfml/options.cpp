@@ -30,7 +30,17 @@ std::variant<Options, int> parseOptions(int argc, char** argv) {
     app.add_option("--seed", options.seed,
                    "0..4294967295; the same seed and input give the same game")
         ->check(wrongSeed, "");
-    auto* replay = app.add_option("--replay", options.replay, "Show a recorded game");
+    auto* replay =
+        app.add_option("--replay", options.replay, "Show a recorded game: a file, or a link");
+    app.add_option("--film", options.film,
+                   "Write the largest fall of the replay as a film (gif), and exit")
+        ->needs(replay);
+    auto* ghost = app.add_option("--ghost", options.ghost,
+                                 "Play the level of this replay, file or link, beside its ghost");
+    app.add_option("--page", options.page,
+                   "Address of a page of the game, for links that are copied; none unless given");
+    auto* edit = app.add_option("--edit", options.edit,
+                                "Edit the level of this file .toml, which need not exist");
     app.add_flag("--mute", options.mute, "No sound");
     auto* shot = app.add_option("--screenshot", options.screenshot,
                                 "Write a picture (png) of the bot's game or the replay, and exit");
@@ -54,7 +64,9 @@ std::variant<Options, int> parseOptions(int argc, char** argv) {
         ->needs(frames);
     app.add_flag("--probe-display", options.probeDisplay,
                  "Report by the exit code whether a window can be opened: 0 yes, 3 no");
-    app.get_option("--level")->excludes(replay);
+    ghost->excludes(replay)->excludes(edit);
+    edit->excludes(replay)->excludes(shot)->excludes(frames);
+    app.get_option("--level")->excludes(replay)->excludes(edit);
     app.get_option("--seed")->excludes(replay);
     try {
         app.parse(argc, argv);

@@ -17,6 +17,8 @@ struct Options : StartOptions {
     std::uint32_t every = 5;  // ticks from one to the next
     std::uint32_t frames = 0; // number of frames to time; 0: play
     std::uint32_t crowd = 0;  // least number of bodies in a timed frame
+    std::string film;         // file; empty: none
+    std::string page;         // address before the links that are copied
     bool mute = false;
     bool probeDisplay = false;
 };

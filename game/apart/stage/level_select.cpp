@@ -76,6 +76,20 @@ Aabb LevelSelect::backPlace() const {
     return {{kTilesLeft, Real(0.2)}, {kTilesLeft + Real(4), Real(1.2)}};
 }
 
+Aabb LevelSelect::editPlace() const {
+    return {{kTilesLeft + Real(4), Real(0.2)}, {kTilesLeft + Real(6), Real(1.2)}};
+}
+
+Aabb LevelSelect::newPlace() const {
+    return {{kTilesLeft + Real(6), Real(0.2)}, {kTilesLeft + Real(8), Real(1.2)}};
+}
+
+bool LevelSelect::wants(const Signals& signals, const Aabb& place, const char* key) {
+    const Press press{false, keyNamed(key).value_or(kNoKey)};
+    return (signals.clicked && place.contains(signals.pointerNow)) ||
+           std::count(signals.presses.begin(), signals.presses.end(), press) > 0;
+}
+
 Aabb LevelSelect::upPlace() const {
     const Real middle = kTilesLeft + Real(0.5) * kInRow * kTileStep.x;
     return {{middle - Real(0.8), kTilesTop - Real(0.7)},
@@ -286,6 +300,13 @@ void LevelSelect::drawFoot(Canvas& canvas, const Records& records) const {
     const Aabb back = backPlace();
     canvas.text("\u2039 back (escape)", {back.lower.x, back.lower.y + Real(0.35)},
                 {Real(0.46), palette::kText, Typeface::Plain, Align::Left, Real(8)});
+    const auto offer = [&](const Aabb& place, const char* text) {
+        canvas.text(text, {place.lower.x, place.lower.y + Real(0.35)},
+                    {Real(0.46), palette::kText, Typeface::Plain, Align::Left,
+                     place.extent().x - Real(0.1)});
+    };
+    offer(editPlace(), "edit (E)");
+    offer(newPlace(), "new (N)");
     canvas.text(
         fmt::format("{} of {} cleared, {} {}", cleared, levels_.size(),
                     countText(std::min<std::int64_t>(points, 999999999), "point"),

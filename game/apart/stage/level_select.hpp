@@ -30,6 +30,11 @@ public:
     Aabb tile(std::size_t level) const;
     /// Clickable area that returns to the title.
     Aabb backPlace() const;
+    // The chosen level is to be edited, or a new one: by a click or the keys E and N.
+    bool wantsEdit(const Signals& signals) const { return wants(signals, editPlace(), "E"); }
+    bool wantsNew(const Signals& signals) const { return wants(signals, newPlace(), "N"); }
+    Aabb editPlace() const;
+    Aabb newPlace() const;
     // Clickable areas that scroll by one row, if possible.
     Aabb upPlace() const;
     Aabb downPlace() const;
@@ -41,6 +46,7 @@ private:
         bool newTheme = false;
     };
 
+    static bool wants(const Signals& signals, const Aabb& place, const char* key);
     std::size_t rowOf(std::size_t level) const;
     Real rowTop(std::size_t row) const;
     void move(Command command);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <apart/stage/daily.hpp>
+#include <apart/core/daily.hpp>
 #include <apart/stage/menu.hpp>
 #include <apart/stage/records.hpp>
 #include <apart/stage/theatre.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/assets.hpp>
+#include <apart/core/daily.hpp>
 #include <apart/core/endless.hpp>
-#include <apart/stage/daily.hpp>
 #include <apart/stage/own_levels.hpp>
 
 #include <algorithm>
@@ -129,6 +129,46 @@ std::string takeLevelFile(StageDef& def, const fs::path& file,
     def.firstLevel = def.levels.size() - 1;
     def.startAtOnce = true;
     return {};
+}
+
+EditorStart editorOf(const Level* level, const LevelList& levels, const fs::path& folder) {
+    std::error_code error;
+    const auto fileOf = [&](const std::string& name) { return folder / (name + ".toml"); };
+    std::string name = level == nullptr ? "my_level" : level->name;
+    if (level == nullptr || !fs::exists(fileOf(name), error)) {
+        const std::string start = level == nullptr ? name : name + "_own";
+        name = start;
+        for (int i = 2; fs::exists(fileOf(name), error) || isListed(levels, name); ++i) {
+            name = start + std::to_string(i);
+        }
+    }
+    EditorStart start{level == nullptr ? newLevel(name) : *level, fileOf(name).string()};
+    start.level.name = name;
+    start.listed = true;
+    start.save = [folder, file = fileOf(name)](const std::string& text) -> std::string {
+        std::error_code failed;
+        fs::create_directories(folder, failed); // else the file cannot be written
+        const std::optional<FileProblem> problem = writeTextFile(file, text);
+        return problem ? problem->text() : "";
+    };
+    return start;
+}
+
+std::variant<EditorStart, std::string> editorOfFile(const fs::path& file) {
+    EditorStart start{newLevel(file.stem().string()), file.string()};
+    std::error_code error;
+    if (fs::exists(file, error)) {
+        Read<Level> read = readLevelFile(file);
+        if (const auto* problem = std::get_if<FileProblem>(&read)) {
+            return problem->text() + ".";
+        }
+        start.level = std::get<Level>(std::move(read));
+    }
+    start.save = [file](const std::string& text) -> std::string {
+        const std::optional<FileProblem> problem = writeTextFile(file, text);
+        return problem ? problem->text() : "";
+    };
+    return start;
 }
 
 } // namespace apart

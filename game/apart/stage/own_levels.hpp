@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace apart {
@@ -22,5 +23,12 @@ void addOwnLevels(StageDef& def, const std::filesystem::path& folder);
 /// if the level cannot be used, else "".
 std::string takeLevelFile(StageDef& def, const std::filesystem::path& file,
                           const std::vector<std::filesystem::path>& folders);
+
+/// The editor of a level of the list, or of a new one. A file of the player's folder is edited
+/// itself; of another level a copy goes there. Its name is free.
+EditorStart editorOf(const Level* level, const LevelList& levels,
+                     const std::filesystem::path& folder);
+/// The editor of a file, which need not exist; or the reason why it cannot be edited.
+std::variant<EditorStart, std::string> editorOfFile(const std::filesystem::path& file);
 
 } // namespace apart

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <apart/core/editor/trial.hpp>
 #include <apart/core/game.hpp>
 #include <apart/stage/canvas.hpp>
 #include <apart/stage/fanfare.hpp>
@@ -28,6 +29,9 @@ public:
     /// are no `words`: they would be read through it.
     void draw(Canvas& canvas, Real share, const Aabb& shown = layout::kShown,
               bool words = true) const;
+
+    /// The ball flies down from a place (m) instead of being served.
+    void dropBall(Vec2 place) { Trial::dropBall(game_, place); }
 
     const Game& game() const { return game_; }
     const std::shared_ptr<const Level>& sharedLevel() const { return level_; }

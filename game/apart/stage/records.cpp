@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <apart/stage/daily.hpp>
+#include <apart/core/daily.hpp>
 #include <apart/stage/records.hpp>
 
 #include <algorithm>

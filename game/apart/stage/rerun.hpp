@@ -19,6 +19,7 @@ public:
         : start_(start), now_(start), record_(std::move(record)) {}
 
     void advance(double seconds);
+    double seconds() const; // until it begins again
     const Play& play() const { return now_; }
     Real share() const;
 
@@ -28,6 +29,15 @@ private:
     Replay record_;
     double owed_ = 0; // s
 };
+
+/// A fall within a game.
+struct Fall {
+    std::int32_t blocks = 0;
+    Rerun rerun;
+};
+/// The largest fall of a replay, from half a second before it to a second after it; none if nothing
+/// falls.
+std::optional<Fall> largestFall(const Replay& replay, const std::shared_ptr<const Level>& level);
 
 /// Input of a replay at a tick.
 Input inputAt(const Replay& replay, std::uint32_t tick);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <apart/core/daily.hpp>
 #include <apart/core/endless.hpp>
 #include <apart/core/tuning.hpp>
-#include <apart/stage/daily.hpp>
 #include <apart/stage/score_book.hpp>
 
 #include <fmt/format.h>

@@ -84,7 +84,10 @@ Stage::Stage(StageDef def)
     }
     if (def_.show) {
         level_ = nextToPlay(def_.levels, profile());
-        beginShow();
+        theatre_.begin(*def_.show);
+        enterShow();
+    } else if (def_.firstEdit) {
+        edit(std::move(*def_.firstEdit));
     } else if (def_.firstEndless > 0) {
         beginRun(0);
     } else if (def_.startAtOnce) {
@@ -114,14 +117,13 @@ void Stage::beginGame(std::shared_ptr<const Level> level, std::uint32_t seed) {
     if (endless_.number > 0 || settings().ghost == 0 || def_.pilot) {
         return;
     }
+    if (def_.rival && def_.rival->level == game().level().name &&
+        !refusal(*def_.rival, game().level())) {
+        return session_.setGhost(Ghost(*def_.rival, session_.play().sharedLevel()));
+    }
     if (std::optional<Replay> best = records_.bestGame(mode, game().level())) {
         session_.setGhost(Ghost(std::move(*best), session_.play().sharedLevel()));
     }
-}
-
-void Stage::beginShow() {
-    theatre_.begin(*def_.show);
-    enterShow();
 }
 
 void Stage::enterShow() {
@@ -134,7 +136,7 @@ void Stage::enterShow() {
 void Stage::enter(std::unique_ptr<Play> play, Session::Kind kind) {
     keepGame();
     session_.begin(std::move(play), kind);
-    rerun_.reset();
+    over_.rerun.reset();
     divergence_ = {};
     reload_.due = false;
     screen_ = Screen::Playing;
@@ -168,7 +170,8 @@ void Stage::beginRun(Day day) {
 
 void Stage::again() {
     if (session_.isShow() || session_.isWhatIf()) {
-        return beginShow();
+        theatre_.begin(*def_.show);
+        return enterShow();
     }
     if (endless_.number == 0) {
         return begin(level_);
@@ -223,8 +226,11 @@ void Stage::advance(double seconds, const Signals& signals, Speaker& speaker) {
     if (screen_ == Screen::Paused || (menu && !session_.isDemo())) {
         return;
     }
-    if (rerun_) {
-        return rerun_->advance(seconds);
+    if (screen_ == Screen::Editor) {
+        return editor_->advance();
+    }
+    if (over_.rerun) {
+        return over_.rerun->advance(seconds);
     }
     session_.elapse(seconds, session_.isShow() ? theatre_.pace() : 1, settings());
     while (session_.takeTick()) {
@@ -236,21 +242,17 @@ void Stage::advance(double seconds, const Signals& signals, Speaker& speaker) {
     }
 }
 
-void Stage::tickDemo() {
-    SilentSpeaker silence;
-    const std::optional<Input> input = def_.bot ? def_.bot(game()) : Input{};
-    session_.tick(input.value_or(Input{}), settings(), silence);
-    if (session_.overdue() || game().ticks() >= kDemoTicks) {
-        const std::size_t own = level_;
-        const std::size_t shown = screen_ == Screen::Levels ? own : demos_++ % def_.levels.size();
-        demo(shown);
-        level_ = own;
-    }
-}
-
 void Stage::tick(Speaker& speaker) {
     if (session_.isDemo()) {
-        return tickDemo();
+        SilentSpeaker silence;
+        const std::optional<Input> wish = def_.bot ? def_.bot(game()) : Input{};
+        session_.tick(wish.value_or(Input{}), settings(), silence);
+        if (session_.overdue() || game().ticks() >= kDemoTicks) {
+            const std::size_t own = level_;
+            demo(screen_ == Screen::Levels ? own : demos_++ % def_.levels.size());
+            level_ = own;
+        }
+        return;
     }
     std::optional<Input> input = inputMapper_.next();
     if (const Pilot& pilot = session_.isShow() ? theatre_.show().pilot : def_.pilot) {
@@ -278,18 +280,11 @@ void Stage::keepGame() {
     }
 }
 
-/// Checks the scores of the chosen level first, then all others.
-void Stage::checkScores() {
-    const std::string& chosen = def_.levels[select_.chosen()]->name;
-    const Mode mode = records_.profile().mode;
-    records_.checkFirst(mode == Mode::Pure ? Mode::Standard : Mode::Pure, chosen);
-    records_.checkFirst(mode, chosen);
-    for (const auto& level : def_.levels) {
-        records_.checkLast(mode, level->name);
-    }
-}
-
 void Stage::finish() {
+    if (editor_) { // a try
+        screen_ = Screen::Editor;
+        return;
+    }
     screen_ = Screen::Over;
     over_.seconds = 0;
     session_.endFanfare();
@@ -308,7 +303,7 @@ void Stage::finish() {
         over_.newBest =
             records_.enter({{game.mode(), name}, best, endless_.with(session_.record())});
     }
-    rerun_ = session_.rerun();
+    over_.rerun = session_.rerun();
     std::vector<MenuItem> items;
     const bool more = endless_.number > 0 || level_ + 1 < def_.levels.size();
     if (game.result() == Result::Won && more && !session_.isShow()) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <apart/stage/confirm.hpp>
+#include <apart/stage/editor_screen.hpp>
 #include <apart/stage/help.hpp>
 #include <apart/stage/hud.hpp>
 #include <apart/stage/input_mapper.hpp>
@@ -52,8 +53,17 @@ struct StageDef {
     std::function<std::vector<ShowEntry>()> replays{};
     std::string replayFolder{}; // shown with the list of replays
     std::optional<Show> show{}; // starts at once; later games are the player's
-    Pilot bot{};                // plays behind the title screen, if set
-    Pilot pilot{};              // plays all games instead of the player, if set
+    /// What the editor starts with; the level: of the list, or none for a new one. Empty: levels
+    /// cannot be edited.
+    std::function<EditorStart(const Level* level)> edit{};
+    std::optional<EditorStart> firstEdit{}; // starts at once
+    /// Copies a text to the clipboard, where there is one.
+    std::function<void(const std::string&)> copy{};
+    /// Writes a film of a fall. Returns what to tell the player, as a sentence.
+    std::function<std::string(const Rerun&)> film{};
+    std::optional<Replay> rival{}; // played beside the games of its level, instead of the best one
+    Pilot bot{};                   // plays behind the title screen, if set
+    Pilot pilot{};                 // plays all games instead of the player, if set
 };
 
 struct EndlessRun {
@@ -87,7 +97,8 @@ enum class Screen : std::uint8_t {
     Help,
     Playing,
     Paused,
-    Over
+    Over,
+    Editor
 };
 
 /// Index of the first level that is not cleared; 0 if all are.
@@ -132,9 +143,12 @@ public:
     std::size_t levelIndex() const { return level_; }
     const Menu& menu() const { return menu_; }
     const LevelSelect& levelSelect() const { return select_; }
+    const std::optional<Ghost>& ghost() const { return session_.ghost(); }
+    const EditorScreen* editor() const { return editor_.get(); } // nullptr: none is open
     /// True if the bot plays without a menu: the title screen has had no input for a while.
     bool attracting() const;
     friend ShownGame shownBy(const Stage& stage);
+    friend void paintOver(Canvas& canvas, const Stage& stage); // its result screen
 
 private:
     // Effects of input, by screen (stage_signals.cpp).
@@ -145,12 +159,12 @@ private:
     void takePlaying(const Signals& signals);
     void takeShow(const Signals& signals);
     void takeMenu(const Signals& signals, Speaker& speaker);
+    bool takeEditor(const Signals& signals);
     bool takeShortcut(Command command);
     bool mayEnd(Ending ending);
     void quit();
     void back();
     void act(const MenuOutcome& outcome);
-    void turn(std::size_t dial, int percent);
 
     // Screens and games.
     void toTitle();
@@ -160,7 +174,6 @@ private:
     void begin(std::size_t level);
     void beginEndless(std::uint32_t number);
     void beginRun(Day day);
-    void beginShow();
     void enterShow();
     void beginGame(std::shared_ptr<const Level> level, std::uint32_t seed);
     void enter(std::unique_ptr<Play> play, Session::Kind kind);
@@ -168,15 +181,14 @@ private:
     void next();
     void demo(std::size_t level);
     void tick(Speaker& speaker);
-    void tickDemo();
     void finish();
     void reloadLevel();
     void keepGame();
-    void checkScores();
+    void edit(EditorStart start);
+    bool takeShare(const Signals& signals);
     TitleOffer offer() const;
 
     // Pictures (stage_picture.cpp).
-    void drawTitle(Canvas& canvas) const;
     HudLook hudLook() const;
 
     /// The result screen.
@@ -185,6 +197,7 @@ private:
         bool entered = false; // its score is one of the player's
         bool newBest = false;
         std::vector<std::string> notes{}; // sentences for the player
+        std::optional<Rerun> rerun{};     // behind it
     };
 
     StageDef def_;
@@ -197,7 +210,6 @@ private:
     std::uint32_t games_ = 0; // number of games started by the player
     std::size_t demos_ = 0;   // number of games started by the bot
     Session session_;
-    std::optional<Rerun> rerun_; // behind the result screen
     Theatre theatre_;
     ReplayList replays_;
     Records records_;
@@ -209,9 +221,10 @@ private:
     KeyScreen keys_;
     std::optional<HelpPage> help_; // of Screen::Help
     LevelSelect select_;
-    double seconds_ = 0;     // s since the start, for animations
-    double idleSeconds_ = 0; // s since the last input
-    Outcome over_;           // of Screen::Over
+    std::unique_ptr<EditorScreen> editor_; // also while its level is tried
+    double seconds_ = 0;                   // s since the start, for animations
+    double idleSeconds_ = 0;               // s since the last input
+    Outcome over_;                         // of Screen::Over
 };
 
 } // namespace apart

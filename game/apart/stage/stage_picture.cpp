@@ -211,6 +211,26 @@ std::string questionOf(std::string_view question, const Session& session, const 
            (question.empty() || !first ? "" : ": left in its first level, a run has no score");
 }
 
+/// What the bot's game behind the title says once there is no menu.
+void paintAttract(Canvas& canvas, double seconds) {
+    const float pulse = 0.6f + 0.4f * static_cast<float>(std::sin(2 * seconds));
+    paintLogo(canvas, {0, Real(4.3)}, Real(1.3), seconds);
+    canvas.text("press any key", {0, Real(3.2)},
+                {Real(0.6), faded(palette::kText, pulse), Typeface::Bold, Align::Middle});
+}
+
+void paintTitleScreen(Canvas& canvas, const Menu& menu, double seconds,
+                      const std::vector<std::string>& notices, std::string_view question) {
+    paintVeil(canvas, faded(palette::kNight, 0.74f));
+    paintTitle(canvas, seconds);
+    menu.draw(canvas);
+    if (question.empty()) {
+        const std::vector<std::string> hint = {"arrows and enter, or the mouse      escape: quit"};
+        paintNotices(canvas, notices.empty() ? hint : notices, kTitleNotices);
+    }
+    paintQuestion(canvas, question, Real(-0.2)); // in the place of the notices
+}
+
 } // namespace
 
 HudLook Stage::hudLook() const {
@@ -236,11 +256,31 @@ HudLook Stage::hudLook() const {
 
 ShownGame shownBy(const Stage& stage) {
     const bool help = stage.screen_ == Screen::Help && stage.help_;
-    const bool wide = stage.session_.isDemo() || help;
-    if (stage.rerun_) {
-        return {stage.rerun_->play().game(), {}, wide};
+    const bool wide = (stage.session_.isDemo() && stage.screen_ != Screen::Editor) || help;
+    if (stage.over_.rerun) {
+        return {stage.over_.rerun->play().game(), {}, wide};
     }
     return {stage.game(), wide ? Closeup{} : stage.session_.closeup(), wide};
+}
+
+void paintOver(Canvas& canvas, const Stage& stage) {
+    const Stage::Outcome& over = stage.over_;
+    const EndlessRun& run = stage.endless_;
+    paintVeil(canvas, faded(palette::kNight, over.rerun ? 0.55f : 0.72f));
+    paintResults(canvas, {stage.game(), stage.session_.statistics(),
+                          stage.game().score() + (run.number > 0 ? run.score : 0), over.newBest,
+                          over.seconds,
+                          run.number > 0 ? std::span<const MedalMarks>() : stage.records_.marks()});
+    paintNotices(canvas,
+                 resultNotes(stage.reload_, over.notes, over.entered ? &stage.records_ : nullptr),
+                 kGameNotices);
+    if (stage.def_.copy) {
+        const bool film = stage.def_.film && over.rerun;
+        canvas.text(film ? "C: copy a link to this game      G: film of the fall"
+                         : "C: copy a link to this game",
+                    {0, Real(16.7)}, quiet(Real(0.42)));
+    }
+    stage.menu_.draw(canvas);
 }
 
 void Stage::draw(Canvas& canvas) const {
@@ -254,11 +294,14 @@ void Stage::draw(Canvas& canvas) const {
     if (help) {
         return help_->draw(canvas, profile().bindings);
     }
+    if (screen_ == Screen::Editor) {
+        return editor_->draw(canvas, seconds_);
+    }
     const bool words = screen_ == Screen::Playing || attracting();
     canvas.zoom(closeup.focus, closeup.scale);
     paintBackdrop(canvas, game().level().theme, seconds_);
-    if (rerun_) {
-        rerun_->play().draw(canvas, rerun_->share(), layout::kShown, words);
+    if (over_.rerun) {
+        over_.rerun->play().draw(canvas, over_.rerun->share(), layout::kShown, words);
     } else {
         session_.play().draw(canvas, session_.share(), shownBy(closeup), words);
         if (session_.ghost() && screen_ != Screen::Over) {
@@ -275,7 +318,9 @@ void Stage::draw(Canvas& canvas) const {
     const std::string question = questionOf(confirm_.question(seconds_), session_, endless_);
     switch (screen_) {
     case Screen::Title:
-        return drawTitle(canvas);
+        return attracting() ? paintAttract(canvas, seconds_)
+                            : paintTitleScreen(canvas, menu_, seconds_, records_.notices(),
+                                               confirm_.question(seconds_));
     case Screen::Levels:
         paintVeil(canvas, faded(palette::kNight, 0.82f));
         return select_.draw(canvas, records_, seconds_);
@@ -291,6 +336,7 @@ void Stage::draw(Canvas& canvas) const {
     case Screen::Replays:
         return paintReplays(canvas, menu_, def_.replayFolder);
     case Screen::Help: // above
+    case Screen::Editor:
         return;
     case Screen::Playing:
         if (session_.isShow()) {
@@ -312,34 +358,8 @@ void Stage::draw(Canvas& canvas) const {
         paintPaused(canvas, menu_, question, hudLook(), game().level());
         return paintNotices(canvas, reload_.notes(), kGameNotices);
     case Screen::Over:
-        paintVeil(canvas, faded(palette::kNight, rerun_ ? 0.55f : 0.72f));
-        paintResults(canvas,
-                     {game(), session_.statistics(),
-                      game().score() + (endless_.number > 0 ? endless_.score : 0), over_.newBest,
-                      over_.seconds,
-                      endless_.number > 0 ? std::span<const MedalMarks>() : records_.marks()});
-        paintNotices(canvas, resultNotes(reload_, over_.notes, over_.entered ? &records_ : nullptr),
-                     kGameNotices);
-        return menu_.draw(canvas);
+        return paintOver(canvas, *this);
     }
-}
-
-void Stage::drawTitle(Canvas& canvas) const {
-    if (attracting()) {
-        const float pulse = 0.6f + 0.4f * static_cast<float>(std::sin(2 * seconds_));
-        paintLogo(canvas, {0, Real(4.3)}, Real(1.3), seconds_);
-        canvas.text("press any key", {0, Real(3.2)},
-                    {Real(0.6), faded(palette::kText, pulse), Typeface::Bold, Align::Middle});
-        return;
-    }
-    paintVeil(canvas, faded(palette::kNight, 0.74f));
-    paintTitle(canvas, seconds_);
-    menu_.draw(canvas);
-    if (confirm_.question(seconds_).empty()) {
-        const std::vector<std::string> hint = {"arrows and enter, or the mouse      escape: quit"};
-        paintNotices(canvas, records_.notices().empty() ? hint : records_.notices(), kTitleNotices);
-    }
-    paintQuestion(canvas, confirm_.question(seconds_), Real(-0.2)); // in the place of the notices
 }
 
 } // namespace apart

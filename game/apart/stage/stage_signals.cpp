@@ -11,8 +11,6 @@ namespace apart {
 
 namespace {
 
-constexpr double kPercent = 100;
-
 /// Sound of a menu; `sound` in percent.
 void chirp(Speaker& speaker, int sound, bool chosen) {
     const float volume = (chosen ? 1 : 0.6f) * share(sound);
@@ -36,6 +34,16 @@ std::vector<ShowEntry> withScores(std::vector<ShowEntry> replays, const Profile&
 bool anything(const Signals& signals) {
     return signals.anyKey || !signals.commands.empty() || signals.clicked ||
            signals.pointer.has_value();
+}
+
+/// Checks the scores of the chosen level first, then all others.
+void checkScores(Records& records, const LevelList& levels, std::size_t chosen) {
+    const Mode mode = records.profile().mode;
+    records.checkFirst(mode == Mode::Pure ? Mode::Standard : Mode::Pure, levels[chosen]->name);
+    records.checkFirst(mode, levels[chosen]->name);
+    for (const auto& level : levels) {
+        records.checkLast(mode, level->name);
+    }
 }
 
 } // namespace
@@ -66,7 +74,7 @@ void Stage::toLevels() {
     screen_ = Screen::Levels;
     select_.choose(level_);
     demo(level_);
-    checkScores();
+    checkScores(records_, def_.levels, select_.chosen());
 }
 
 void Stage::toOptions(int page) {
@@ -104,6 +112,12 @@ void Stage::takeOne(const Signals& signals, Speaker& speaker) {
     if (screen_ == Screen::Keys) { // before all commands: a key may be about to change
         return takeKeys(signals, speaker);
     }
+    if (editor_ && takeEditor(signals)) { // its keys have meanings of their own
+        return;
+    }
+    if (screen_ == Screen::Over && takeShare(signals)) {
+        return;
+    }
     if (!signals.commands.empty() && signals.commands[0] == Command::Mute) {
         records_.profile().muted = !records_.profile().muted;
         session_.setSettings(profile().audible());
@@ -140,78 +154,17 @@ void Stage::takeLevels(const Signals& signals, Speaker& speaker) {
         return toTitle();
     }
     const std::size_t before = select_.chosen();
+    if (def_.edit && (select_.wantsNew(signals) || select_.wantsEdit(signals))) {
+        const bool fresh = select_.wantsNew(signals);
+        return edit(def_.edit(fresh ? nullptr : def_.levels[before].get()));
+    }
     if (const std::optional<std::size_t> level = select_.take(signals)) {
         chirp(speaker, profile().audible().sound, true);
         begin(*level);
     } else if (select_.chosen() != before) {
         chirp(speaker, profile().audible().sound, false);
         demo(select_.chosen());
-        checkScores();
-    }
-}
-
-void Stage::takePlaying(const Signals& signals) {
-    const Game& game = session_.game();
-    const Real paddleX = game.world()[game.paddle()].position().x;
-    inputMapper_.take(signals, paddleX, static_cast<Real>(settings().mouse / kPercent));
-    const bool over = game.result() != Result::Playing;
-    const bool clickLaunches = game.serving() || game.secondsLeft(Power::Spring) > 0;
-    const auto serve = game.serving() ? std::optional(game.serveHeading()) : std::nullopt;
-    if (signals.clicked && clickLaunches) {
-        inputMapper_.launch(signals, serve);
-    }
-    if (signals.clicked && over) {
-        return finish();
-    }
-    for (const Command command : signals.commands) {
-        switch (command) {
-        case Command::Launch:
-        case Command::Confirm:
-            if (over) {
-                return finish();
-            }
-            inputMapper_.launch(signals, serve);
-            break;
-        case Command::Back:
-        case Command::Pause:
-            return over ? finish() : open(Screen::Paused, pauseMenu(replays_.leadsFrom(session_)));
-        case Command::Restart:
-            if (mayEnd(Ending::Restart)) {
-                if (over) {
-                    finish();
-                }
-                return again();
-            }
-            break;
-        default:
-            break;
-        }
-    }
-    if (signals.focusLost && !over) {
-        open(Screen::Paused, pauseMenu(replays_.leadsFrom(session_)));
-    }
-}
-
-void Stage::takeShow(const Signals& signals) {
-    const auto seek = [&](std::int64_t tick) {
-        session_.seek(tick, theatre_.show().pilot, settings());
-    };
-    if (const std::optional<std::int64_t> tick = theatre_.drag(signals)) {
-        seek(*tick);
-    }
-    for (const Command command : signals.commands) {
-        if (command == Command::Back) {
-            return replays_.leadsFrom(session_) ? act({Action::Replays})
-                                                : open(Screen::Paused, pauseMenu(false));
-        }
-        const Theatre::Request request = theatre_.take(command, game().ticks());
-        if (request.tick) {
-            seek(*request.tick);
-        }
-        if (request.takeOver && game().result() == Result::Playing) {
-            session_.takeOver();
-            return open(Screen::Paused, pauseMenu(replays_.leadsFrom(session_)));
-        }
+        checkScores(records_, def_.levels, select_.chosen());
     }
 }
 
@@ -317,6 +270,11 @@ void Stage::takeMenu(const Signals& signals, Speaker& speaker) {
 }
 
 void Stage::act(const MenuOutcome& outcome) {
+    const auto turn = [&](std::size_t dial, int percent) {
+        records_.profile().settings.*kDials[dial].value = percent;
+        menu_.setPercent(dial, percent);
+        session_.setSettings(profile().audible());
+    };
     switch (outcome.action) {
     case Action::Play:
         return begin(level_);
@@ -344,7 +302,8 @@ void Stage::act(const MenuOutcome& outcome) {
         if (auto* show = std::get_if<Show>(&read)) {
             def_.show = std::move(*show);
             replays_.shown = outcome.dial;
-            return beginShow();
+            theatre_.begin(*def_.show);
+            return enterShow();
         }
         records_.note(std::get<std::string>(read));
         return toTitle();
@@ -387,12 +346,6 @@ void Stage::act(const MenuOutcome& outcome) {
     case Action::Dial:
         return turn(outcome.dial, outcome.percent);
     }
-}
-
-void Stage::turn(std::size_t dial, int percent) {
-    records_.profile().settings.*kDials[dial].value = percent;
-    menu_.setPercent(dial, percent);
-    session_.setSettings(profile().audible());
 }
 
 } // namespace apart

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <apart/core/daily.hpp>
 #include <apart/core/replay.hpp>
 #include <apart/stage/canvas.hpp>
 #include <apart/stage/controls.hpp>
-#include <apart/stage/daily.hpp>
 
 #include <cstdint>
 #include <functional>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The game in a page. The page prepares typefaces and storage, then calls startGame().
+#include <apart/core/replay_link.hpp>
 #include <apart/front/setup.hpp>
 #include <apart/web/web_canvas.hpp>
 #include <apart/web/web_controls.hpp>
@@ -128,6 +129,17 @@ void keepInBrowser(StageDef& def) {
             return problem;
         };
     }
+    if (def.edit) {
+        def.edit = [edit = std::move(def.edit)](const Level* level) {
+            EditorStart start = edit(level);
+            start.save = [save = std::move(start.save)](const std::string& text) {
+                std::string problem = save(text);
+                keepFiles();
+                return problem;
+            };
+            return start;
+        };
+    }
     if (def.keeping.keepReplay) {
         def.keeping.keepReplay = [keep = std::move(def.keeping.keepReplay)](
                                      const ReplayRun& run, const std::string& best) {
@@ -160,6 +172,15 @@ extern "C" EMSCRIPTEN_KEEPALIVE void startGame(const char* level, const char* re
     watchPage(*thePage);
     thePage->last = emscripten_get_now();
     emscripten_set_main_loop(frame, 0, EM_FALSE);
+}
+
+/// The fragment of a link to the game in a file; "" if there is none. Valid until the next call.
+extern "C" EMSCRIPTEN_KEEPALIVE const char* linkOfLastGame(const char* file) {
+    static std::string link;
+    const apart::Read<apart::ReplayRun> read = apart::readRunFile(file);
+    const auto* run = std::get_if<apart::ReplayRun>(&read);
+    link = run != nullptr ? apart::linkOf(*run) : "";
+    return link.c_str();
 }
 
 /// What the buttons of the page do: 0 pause.

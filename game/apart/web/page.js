@@ -1,24 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Prepares what the game needs of the page: typefaces, the player's files, links, buttons.
 //
-// A link may name what to start with: #level=NAME, #daily or #replay=DATA. DATA is the text of a
-// replay, compressed by raw deflate, as base64 for URLs.
+// A link may name what to start with: #level=NAME, #daily or #replay=DATA. DATA is a packed replay
+// (replay_link.hpp) or, in older links, its text, compressed by raw deflate; as base64 for URLs.
 "use strict";
 
 const news = document.getElementById("news");
 const canvas = document.getElementById("canvas");
 const folder = "/player";
 const lastGame = folder + "/apart/last.replay";
+const packedMark = 7;
 
 function tell(sentence) {
     news.textContent = sentence;
     news.hidden = sentence === "";
-}
-
-function toLink(bytes) {
-    let text = "";
-    bytes.forEach((byte) => { text += String.fromCharCode(byte); });
-    return btoa(text).replace(/\+/g, "-").replace(/\//g, "_").replace(/=+$/, "");
 }
 
 function fromLink(text) {
@@ -36,22 +31,20 @@ async function wishes() {
     const asked = new URLSearchParams(location.hash.slice(1));
     const wish = { level: asked.get("level") || "", replay: "" };
     if (asked.has("replay")) {
-        const text = await through(new DecompressionStream("deflate-raw"), fromLink(asked.get("replay")));
+        const data = fromLink(asked.get("replay"));
+        const packed = data[0] === packedMark;
         wish.replay = "/link.replay";
-        FS.writeFile(wish.replay, text);
+        FS.writeFile(wish.replay, packed ? data : await through(new DecompressionStream("deflate-raw"), data));
     }
     return wish;
 }
 
 async function copyLink() {
-    let text;
-    try {
-        text = FS.readFile(lastGame);
-    } catch (error) {
+    const data = Module.ccall("linkOfLastGame", "string", ["string"], [lastGame]);
+    if (data === "") {
         return flash("There is no game to link to yet.");
     }
-    const packed = await through(new CompressionStream("deflate-raw"), text);
-    const link = location.href.split("#")[0] + "#replay=" + toLink(packed);
+    const link = location.href.split("#")[0] + data;
     try {
         await navigator.clipboard.writeText(link);
         flash("The link to your last game is copied.");

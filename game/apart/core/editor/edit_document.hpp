@@ -23,6 +23,7 @@ public:
     bool canRedo() const { return now_ + 1 < history_.size(); }
     void undo();
     void redo();
+    const std::shared_ptr<const Level>& saved() const { return saved_; } // as it was last
     bool isSaved() const { return level() == saved_; }
     void markSaved() { saved_ = level(); }
 

@@ -74,6 +74,21 @@ void moveLinks(Level& level, std::span<const LevelPart> parts, EditStep step) {
     }
 }
 
+/// A place for the end of a joint: the middle of the block there if it is near, else on the grid.
+Vec2 anchorAt(const Level& level, Vec2 place) {
+    constexpr Real kNear = Real(0.2); // m
+    if (const std::optional<std::size_t> block = blockAt(level, place)) {
+        const Vec2 middle = placedShapeOf(level.freeBlocks[*block]).frame.position;
+        if (length(middle - place) < kNear) {
+            return middle;
+        }
+    }
+    const auto toGrid = [](Real at) {
+        return std::round(at * 1000 / Real(kSnapGrid)) * Real(kSnapGrid) / 1000;
+    };
+    return {toGrid(place.x), toGrid(place.y)};
+}
+
 } // namespace
 
 Level moved(Level level, std::span<const LevelPart> parts, EditStep step) {
@@ -102,6 +117,10 @@ Level moved(Level level, std::span<const LevelPart> parts, EditStep step) {
         }
         case LevelPart::Of::Obstruction: {
             ObstructionDef& def = level.obstructions[part.index];
+            if (!def.points.empty()) {
+                std::for_each(def.points.begin(), def.points.end(), shift);
+                break;
+            }
             if (!isInGrid(def)) {
                 shift(def);
                 break;
@@ -153,7 +172,8 @@ Level withMirrorImages(Level level, std::span<const LevelPart> parts) {
             FreeBlock image = before.freeBlocks[part.index];
             image.x = -image.x;
             image.turn = -image.turn;
-            image.mirrored = !image.mirrored;
+            const bool sides = image.form == Form::Wedge || image.form == Form::L;
+            image.mirrored = sides != image.mirrored;
             images[part.index] = static_cast<std::int32_t>(level.freeBlocks.size());
             level.freeBlocks.push_back(image);
         } else if (part.of == LevelPart::Of::Obstruction &&
@@ -274,6 +294,12 @@ Level withLedge(Level level, Vec2 place, std::int32_t width) {
 }
 
 std::optional<Level> withRope(Level level, Vec2 from, Vec2 to) {
+    constexpr Real kUpright = Real(0.2); // m; a rope that is nearly upright is upright
+    from = anchorAt(level, from);
+    to = anchorAt(level, to);
+    if (std::abs(from.x - to.x) < kUpright) {
+        (blockAt(level, to) ? from.x : to.x) = blockAt(level, to) ? to.x : from.x;
+    }
     std::vector<std::int32_t> first = blocksAt(level, from);
     std::vector<std::int32_t> second = blocksAt(level, to);
     if (second.empty() || !moves(level, second.front())) {
@@ -296,6 +322,7 @@ std::optional<Level> withRope(Level level, Vec2 from, Vec2 to) {
 }
 
 std::optional<Level> withPin(Level level, Vec2 place) {
+    place = anchorAt(level, place);
     std::vector<std::int32_t> found = blocksAt(level, place);
     const auto last = std::find_if(found.begin(), found.end(),
                                    [&](std::int32_t block) { return moves(level, block); });

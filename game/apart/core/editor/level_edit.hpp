@@ -29,7 +29,7 @@ Level withBlock(Level level, const BlockKind& kind, FreeBlock block);
 /// `place`: m, of its middle; `width`: 1/1000 m.
 Level withLedge(Level level, kodo::Vec2 place, std::int32_t width);
 /// A rope from a place to another one (m), at the blocks that are there or at the field; nullopt:
-/// neither end is at a block that moves.
+/// neither end is at a block that moves. Ends go to the middles of blocks that are near.
 std::optional<Level> withRope(Level level, kodo::Vec2 from, kodo::Vec2 to);
 /// A pin at a place (m), through the latest two blocks there, or one and the field.
 std::optional<Level> withPin(Level level, kodo::Vec2 place);

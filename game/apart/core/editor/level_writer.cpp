@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdint>
-#include <vector>
 
 namespace apart {
 
@@ -231,14 +229,25 @@ private:
 
     void writeGround(const ObstructionDef& def) {
         table("ground");
+        std::string list;
+        if (!def.points.empty()) {
+            for (const GroundPoint& point : def.points) {
+                list += (list.empty() ? "[" : ", [") + std::to_string(point.x) + ", " +
+                        std::to_string(point.y) + "]";
+            }
+            line("points", "[" + list + "]");
+            if (def.turf != Turf::Grass) {
+                line("turf", basicString(nameIn(kTurfNames, def.turf)));
+            }
+            return;
+        }
         number("x", def.x);
         number("y", def.y);
         number("spacing", def.spacing);
-        std::string heights;
         for (const std::int32_t height : def.heights) {
-            heights += (heights.empty() ? "" : ", ") + std::to_string(height);
+            list += (list.empty() ? "" : ", ") + std::to_string(height);
         }
-        line("heights", "[" + heights + "]");
+        line("heights", "[" + list + "]");
     }
 
     bool isNamed(std::size_t index) const {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <apart/core/daily.hpp>
 #include <apart/core/endless.hpp>
 #include <apart/core/text_file.hpp>
-#include <apart/stage/daily.hpp>
-
-#include <fmt/format.h>
+#include <apart/core/tuning.hpp>
 
 namespace apart {
 
@@ -14,11 +13,21 @@ constexpr std::string_view kPrefix = "daily-";
 } // namespace
 
 std::string dayText(Day day) {
-    return fmt::format("{:04}-{:02}-{:02}", day / 10000, day / 100 % 100, day % 100);
+    std::string digits = std::to_string(day);
+    digits.insert(0, digits.size() < 8 ? 8 - digits.size() : 0, '0');
+    return digits.insert(digits.size() - 2, "-").insert(digits.size() - 5, "-");
 }
 
 std::string dailyName(Day day) {
     return "Daily run " + dayText(day);
+}
+
+std::string dailyLine(const DailyResult& result) {
+    const std::uint32_t seconds = result.ticks / kTicksPerSecond;
+    const std::string rest = std::to_string(seconds % 60);
+    return "aPart, daily run " + dayText(result.day) + ": " + std::to_string(result.score) +
+           " points, level " + std::to_string(result.levels) + ", " + std::to_string(seconds / 60) +
+           (rest.size() < 2 ? ":0" : ":") + rest;
 }
 
 std::string dailyKey(Day day) {

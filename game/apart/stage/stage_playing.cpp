@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// Effects of input while a game or a replay is on the screen.
+#include <apart/stage/stage.hpp>
+
+namespace apart {
+
+void Stage::takePlaying(const Signals& signals) {
+    const Game& game = session_.game();
+    const Real paddleX = game.world()[game.paddle()].position().x;
+    inputMapper_.take(signals, paddleX, static_cast<Real>(settings().mouse / 100.0));
+    const bool over = game.result() != Result::Playing;
+    const bool clickLaunches = game.serving() || game.secondsLeft(Power::Spring) > 0;
+    const auto serve = game.serving() ? std::optional(game.serveHeading()) : std::nullopt;
+    if (signals.clicked && clickLaunches) {
+        inputMapper_.launch(signals, serve);
+    }
+    if (signals.clicked && over) {
+        return finish();
+    }
+    for (const Command command : signals.commands) {
+        switch (command) {
+        case Command::Launch:
+        case Command::Confirm:
+            if (over) {
+                return finish();
+            }
+            inputMapper_.launch(signals, serve);
+            break;
+        case Command::Back:
+        case Command::Pause:
+            return over ? finish() : open(Screen::Paused, pauseMenu(replays_.leadsFrom(session_)));
+        case Command::Restart:
+            if (mayEnd(Ending::Restart)) {
+                if (over) {
+                    finish();
+                }
+                return again();
+            }
+            break;
+        default:
+            break;
+        }
+    }
+    if (signals.focusLost && !over) {
+        open(Screen::Paused, pauseMenu(replays_.leadsFrom(session_)));
+    }
+}
+
+void Stage::takeShow(const Signals& signals) {
+    const auto seek = [&](std::int64_t tick) {
+        session_.seek(tick, theatre_.show().pilot, settings());
+    };
+    if (const std::optional<std::int64_t> tick = theatre_.drag(signals)) {
+        seek(*tick);
+    }
+    for (const Command command : signals.commands) {
+        if (command == Command::Back) {
+            return replays_.leadsFrom(session_) ? act({Action::Replays})
+                                                : open(Screen::Paused, pauseMenu(false));
+        }
+        const Theatre::Request request = theatre_.take(command, game().ticks());
+        if (request.tick) {
+            seek(*request.tick);
+        }
+        if (request.takeOver && game().result() == Result::Playing) {
+            session_.takeOver();
+            return open(Screen::Paused, pauseMenu(replays_.leadsFrom(session_)));
+        }
+    }
+}
+
+} // namespace apart
