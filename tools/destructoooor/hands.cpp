@@ -225,11 +225,11 @@ int cut(kodo::World& world, Vec2 from, Vec2 to) {
     std::vector<BodyId> bodies;
     for (const kodo::QueryHit& hit : kodo::rayCastAll(world, from, to)) {
         if (world[hit.body].type() == kodo::BodyType::Dynamic &&
-            std::ranges::find(bodies, hit.body) == bodies.end()) {
+            std::find(bodies.begin(), bodies.end(), hit.body) == bodies.end()) {
             bodies.push_back(hit.body);
         }
     }
-    return static_cast<int>(std::ranges::count_if(bodies, [&](BodyId id) {
+    return static_cast<int>(std::count_if(bodies.begin(), bodies.end(), [&](BodyId id) {
         return split(world, id, from, kodo::perp(kodo::normalize(way))).has_value();
     }));
 }

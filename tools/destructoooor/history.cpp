@@ -22,7 +22,9 @@ void History::record(const kodo::World& world, bool changed) {
 }
 
 const kodo::World& History::before(std::uint64_t tick) const {
-    const auto later = std::ranges::upper_bound(copies_, tick, {}, &kodo::World::stepCount);
+    const auto later = std::upper_bound(
+        copies_.begin(), copies_.end(), tick,
+        [](std::uint64_t at, const kodo::World& copy) { return at < copy.stepCount(); });
     return later == copies_.begin() ? copies_.front() : *std::prev(later);
 }
 

@@ -336,8 +336,9 @@ void Panel::timeBar(Workbench& bench) {
             if (i > 0) {
                 ImGui::SameLine();
             }
-            if (ImGui::RadioButton(name.c_str(), i == static_cast<std::size_t>(bench.thing))) {
-                bench.thing = static_cast<Thing>(i);
+            if (ImGui::RadioButton(name.c_str(),
+                                   i == static_cast<std::size_t>(bench.dropped.thing))) {
+                bench.dropped.thing = static_cast<Thing>(i);
             }
         }
     } else {

@@ -45,16 +45,19 @@ void Sandbox::open(std::size_t scene) {
     friction_ = Real(0.6);
     restitution_ = 0;
     sceneFields_.clear();
-    std::ranges::copy_if(world_.fields(), std::back_inserter(sceneFields_), [](const auto& entry) {
-        return entry.field->kind() != kodo::FieldKind::Gravity;
-    });
+    for (const kodo::FieldEntry& entry : world_.fields()) {
+        if (entry.field->kind() != kodo::FieldKind::Gravity) {
+            sceneFields_.push_back(entry);
+        }
+    }
     measures_.clear();
     history_.clear();
     history_.record(world_, true);
 }
 
 void Sandbox::stepOnce(kodo::World& world) {
-    const bool whole = std::ranges::all_of(ids_, [&](BodyId id) { return world.contains(id); });
+    const bool whole =
+        std::all_of(ids_.begin(), ids_.end(), [&](BodyId id) { return world.contains(id); });
     if (act_ != nullptr && whole) {
         act_(world, ids_, world.stepCount());
     }

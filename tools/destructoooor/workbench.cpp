@@ -2,7 +2,6 @@
 #include "workbench.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -11,15 +10,7 @@ namespace destructoooor {
 namespace {
 
 constexpr int kMostSteps = 4; // per frame; beyond that, the simulation runs slower
-constexpr Real kBlastRadius = 5;
-constexpr Real kBlastSpeed = 14; // m/s, at the centre
-constexpr Real kMotorSpeed = 4;  // rad/s
-constexpr Real kSpringHertz = 2;
-constexpr Real kPathStride = Real(0.15); // m, between points of a drawn line
 const kodo_sfml::Rgba kPathColor{255, 220, 90};
-const kodo::DrawColor kTwinColor{255, 120, 120, 200};
-const kodo_sfml::Rgba kSurfaceColor{60, 120, 190, 110};
-const kodo_sfml::Rgba kDepthColor{30, 60, 110, 110};
 
 kodo_sfml::Pixel toFloat(int x, int y) {
     return {static_cast<float>(x), static_cast<float>(y)};
@@ -91,7 +82,8 @@ void Workbench::take(const sf::Event& event) {
     case sf::Event::MouseWheelScrolled: {
         const auto turn = static_cast<Real>(event.mouseWheelScroll.delta);
         if (hand == Hand::Drop && !panning_) {
-            size = std::clamp(size + 0.1f * event.mouseWheelScroll.delta, 0.2f, 4.0f);
+            dropped.size =
+                std::clamp(dropped.size + 0.1f * event.mouseWheelScroll.delta, 0.2f, 4.0f);
         } else {
             height_ = std::clamp(height_ * std::pow(Real(0.9), turn), Real(1), Real(400));
         }
@@ -162,63 +154,10 @@ void Workbench::mouseUp(Vec2 at) {
     if (hand == Hand::Drag) {
         sandbox.letGo();
     } else {
-        act(path_.front(), at);
+        path_.push_back(at);
+        message = use(sandbox, hand, path_, dropped);
     }
     path_.clear();
-}
-
-void Workbench::act(Vec2 from, Vec2 to) {
-    const std::optional<BodyId> first = bodyAt(sandbox.world(), from);
-    const std::optional<BodyId> second = bodyAt(sandbox.world(), to);
-    const auto changeOrSay = [&](bool possible, const char* otherwise, auto work) {
-        if (possible) {
-            sandbox.change(work);
-        } else {
-            message = otherwise;
-        }
-    };
-    switch (hand) {
-    case Hand::Drop:
-        sandbox.drop(thing, to, size);
-        break;
-    case Hand::Draw:
-        sandbox.change([&](kodo::World& world) {
-            const auto drawn = destructoooor::draw(world, path_);
-            if (const auto* const problem = std::get_if<kodo::Problem>(&drawn)) {
-                message = problem->reason;
-            }
-        });
-        break;
-    case Hand::Cut:
-        sandbox.change([&](kodo::World& world) { cut(world, from, to); });
-        break;
-    case Hand::Shatter:
-        changeOrSay(second.has_value(), "There is no body.",
-                    [&](kodo::World& world) { shatter(world, *second, to); });
-        break;
-    case Hand::Weld:
-        changeOrSay(first && second && first != second, "Draw from one body to another.",
-                    [&](kodo::World& world) { world.weld(*first, *second); });
-        break;
-    case Hand::Pin:
-    case Hand::Motor:
-        changeOrSay(second.has_value(), "There is no body.", [&](kodo::World& world) {
-            pinAt(world, to, hand == Hand::Motor ? kMotorSpeed : 0);
-        });
-        break;
-    case Hand::Rope:
-    case Hand::Spring:
-        changeOrSay((first || second) && first != second, "Draw from a body to another place.",
-                    [&](kodo::World& world) {
-                        tie(world, from, to, hand == Hand::Spring ? kSpringHertz : 0);
-                    });
-        break;
-    case Hand::Explode:
-        sandbox.change([&](kodo::World& world) { explode(world, to, kBlastRadius, kBlastSpeed); });
-        break;
-    case Hand::Drag:
-        break;
-    }
 }
 
 void Workbench::stepOnce() {
@@ -233,44 +172,10 @@ void Workbench::advance(double seconds) {
     }
 }
 
-namespace {
-
-void drawWater(kodo_sfml::Painter& painter, const kodo_sfml::Camera& view,
-               const kodo::World& world) {
-    for (const kodo::FieldEntry& entry : world.fields()) {
-        if (entry.field->kind() != kodo::FieldKind::Buoyancy) {
-            continue;
-        }
-        const auto& water = static_cast<const kodo::Buoyancy&>(*entry.field);
-        const kodo::Aabb shown = view.shown();
-        const kodo_sfml::Pixel left = view.toPixels({shown.lower.x, water.surface().y});
-        const kodo_sfml::Pixel right = view.toPixels({shown.upper.x, water.surface().y});
-        const float bottom = view.toPixels(shown.lower).y;
-        const std::array<kodo_sfml::Rgba, 4> colors = {kSurfaceColor, kSurfaceColor, kDepthColor,
-                                                       kDepthColor};
-        if (bottom > left.y) {
-            painter.rectangle({left.x, left.y, right.x - left.x, bottom - left.y}, colors);
-        }
-    }
-}
-
-} // namespace
-
 void Workbench::draw(kodo_sfml::Painter& painter) const {
     const kodo_sfml::Camera view = camera();
-    drawWater(painter, view, sandbox.world());
     kodo_sfml::WorldPainter picture(painter, view);
-    kodo::draw(sandbox.world(), picture, look);
-    if (const kodo::World* const twin = sandbox.twin()) {
-        for (const BodyId id : twin->bodies()) {
-            const kodo::BodyView body = (*twin)[id];
-            for (std::size_t i = 0; i < body.partCount(); ++i) {
-                if (body.type() == kodo::BodyType::Dynamic) {
-                    kodo::draw(body.part(i).convex, body.massFrame(), picture, {kTwinColor});
-                }
-            }
-        }
-    }
+    drawScene(sandbox, picture, look);
     for (std::size_t i = 1; i < path_.size(); ++i) {
         painter.line(view.toPixels(path_[i - 1]), view.toPixels(path_[i]), 2, kPathColor);
     }

@@ -4,46 +4,12 @@
 #include <kodo_sfml/window.hpp>
 #include <kodo_sfml/world_painter.hpp>
 
-#include <array>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "sandbox.hpp"
+#include "hand_use.hpp"
 
 namespace destructoooor {
-
-/// What the left button of the mouse does in the scene.
-enum class Hand : std::uint8_t {
-    Drag,
-    Drop,
-    Draw,
-    Cut,
-    Shatter,
-    Weld,
-    Pin,
-    Motor,
-    Rope,
-    Spring,
-    Explode
-};
-struct HandWords {
-    std::string_view name;
-    std::string_view what;
-};
-inline constexpr std::array<HandWords, 11> kHands = {{
-    {"Drag", "Hold a body and throw it."},
-    {"Drop", "Click: a new body. Wheel: its size."},
-    {"Draw", "Draw an outline; it becomes a body."},
-    {"Cut", "Draw a line; it cuts what it meets."},
-    {"Shatter", "Click: a body breaks into pieces."},
-    {"Weld", "From one body to another: they become one."},
-    {"Pin", "Click: pins two bodies, or one to the wall."},
-    {"Motor", "Click: a pin with a motor."},
-    {"Rope", "From one point to another: a rope."},
-    {"Spring", "From one point to another: a spring."},
-    {"Explode", "Click: pushes all around away."},
-}};
 
 /// The state of the program beside the Sandbox: hand, camera, pause. Takes events, draws the scene.
 class Workbench {
@@ -51,8 +17,7 @@ public:
     Sandbox sandbox;
 
     Hand hand = Hand::Drag;
-    Thing thing = Thing::Box;
-    float size = 1; // m, of what is dropped
+    Dropped dropped;
     bool paused = false;
     bool quit = false;
     kodo::DrawOptions look{};
@@ -75,7 +40,6 @@ private:
     void press(sf::Keyboard::Key key);
     void mouseDown(Vec2 at);
     void mouseUp(Vec2 at);
-    void act(Vec2 from, Vec2 to);
 
     kodo_sfml::Size pixels_{1280, 720};
     kodo_sfml::Rect free_{0, 0, 1280, 720};

@@ -178,7 +178,8 @@ const Scene kFieldScenes[] = {
      }},
     {kWater, "Bubbles", "Do forty light balls reach the surface?", "All of them.", buildBubbles, 10,
      [](const kodo::World& world, const Ids& ids) {
-         return std::ranges::all_of(ids, [&](BodyId id) { return world[id].center().y > 9; });
+         return std::all_of(ids.begin(), ids.end(),
+                            [&](BodyId id) { return world[id].center().y > 9; });
      }},
 };
 

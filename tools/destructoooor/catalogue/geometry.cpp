@@ -23,7 +23,7 @@ Ids buildBullets(kodo::World& world) {
 }
 
 bool stoppedByWall(const kodo::World& world, const Ids& ids) {
-    return std::ranges::all_of(ids, [&](BodyId id) { return world[id].center().x < 4; });
+    return std::all_of(ids.begin(), ids.end(), [&](BodyId id) { return world[id].center().x < 4; });
 }
 
 Ids buildRods(kodo::World& world) {

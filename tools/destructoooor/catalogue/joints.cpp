@@ -105,8 +105,8 @@ Ids buildSprings(kodo::World& world) {
 
 bool springsSwing(const kodo::World& world, const Ids& ids) {
     // After 2 s each spring has made a whole number of periods and is where it began.
-    return std::ranges::all_of(ids,
-                               [&](BodyId id) { return isNear(world[id].center().y, 7, 0.12_r); });
+    return std::all_of(ids.begin(), ids.end(),
+                       [&](BodyId id) { return isNear(world[id].center().y, 7, 0.12_r); });
 }
 
 Ids buildDamping(kodo::World& world) {
@@ -224,7 +224,7 @@ const Scene kJointScenes[] = {
     {kJoints, "Rails", "Where do carts on three inclined rails stop?",
      "At the lower limits, 6 m from the middle.", buildSlider, 5,
      [](const kodo::World& world, const Ids& ids) {
-         return std::ranges::all_of(ids, [&](BodyId id) {
+         return std::all_of(ids.begin(), ids.end(), [&](BodyId id) {
              return isNear(kodo::length(world[id].center() - Vec2{0, 7}), 6, 0.05_r);
          });
      }},

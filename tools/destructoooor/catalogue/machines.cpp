@@ -170,7 +170,7 @@ Ids buildRagdolls(kodo::World& world) {
 }
 
 bool figuresRest(const kodo::World& world, const Ids& ids) {
-    return std::ranges::all_of(ids, [&](BodyId id) {
+    return std::all_of(ids.begin(), ids.end(), [&](BodyId id) {
         return kodo::length(world[id].velocity()) < 0.5_r && world[id].center().y > 0;
     });
 }

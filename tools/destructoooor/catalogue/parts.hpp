@@ -136,7 +136,8 @@ inline bool isNear(Vec2 value, Vec2 wanted, Real tolerance) {
 
 /// True if no dynamic body is outside a box, by its centre.
 inline bool allWithin(const kodo::World& world, const kodo::Aabb& box) {
-    return std::ranges::all_of(world.bodies(), [&](BodyId id) {
+    const std::vector<BodyId> bodies = world.bodies();
+    return std::all_of(bodies.begin(), bodies.end(), [&](BodyId id) {
         return world[id].type() != kodo::BodyType::Dynamic || box.contains(world[id].center());
     });
 }

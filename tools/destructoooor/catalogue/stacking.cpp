@@ -86,7 +86,7 @@ Ids buildArch(kodo::World& world) {
 }
 
 bool arrivedNowhere(const kodo::World& world, const Ids& ids) {
-    return std::ranges::all_of(ids, [&](BodyId id) {
+    return std::all_of(ids.begin(), ids.end(), [&](BodyId id) {
         return isNear(world[id].position(), {}, 0.1_r) &&
                kodo::length(world[id].velocity()) < 0.05_r;
     });

@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: MIT
+"""A headless Chromium, and a server of static files: for page_test.py and site_test.py."""
+import base64
+import contextlib
+import functools
+import http.server
+import json
+import shutil
+import subprocess
+import tempfile
+import threading
+import urllib.error
+import urllib.request
+
+KEYS = {"enter": "\ue007", "escape": "\ue00c", "left": "\ue012", "right": "\ue014", "up": "\ue013",
+        "down": "\ue015", "tab": "\ue004", "page down": "\ue00f", "page up": "\ue00e"}
+
+
+class Browser:
+    """A Chromium, by the WebDriver protocol (W3C)."""
+
+    def __init__(self, profile, preferences=None):
+        self.driver = subprocess.Popen(
+            ["chromedriver", "--port=0"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
+        )
+        port = next(line.split()[-1].rstrip(".") for line in self.driver.stdout if "port" in line and
+                    "started" in line)
+        threading.Thread(target=self.driver.stdout.read, daemon=True).start()
+        self.base = f"http://127.0.0.1:{port}/session"
+        arguments = (
+            "--headless --no-sandbox --disable-quic --no-first-run --disable-background-networking"
+            " --disable-component-update --disable-sync --use-gl=angle --use-angle=swiftshader"
+            f" --enable-unsafe-swiftshader --user-data-dir={profile} --window-size=1280,800"
+        ).split()
+        options = {"args": arguments, "binary": shutil.which("chromium"), "prefs": preferences or {}}
+        wanted = {"capabilities": {"alwaysMatch": {
+            "goog:chromeOptions": options, "goog:loggingPrefs": {"browser": "ALL"}}}}
+        self.base += "/" + self.call("POST", "", wanted)["sessionId"]
+
+    def call(self, method, path, body=None):
+        data = None if body is None else json.dumps(body).encode()
+        request = urllib.request.Request(self.base + path, data=data, method=method)
+        request.add_header("Content-Type", "application/json")
+        try:
+            with urllib.request.urlopen(request, timeout=60) as answer:
+                return json.load(answer)["value"]
+        except urllib.error.HTTPError as error:
+            raise RuntimeError(f"{path}: {error.read()[:300]}") from error
+
+    def open(self, address):
+        self.call("POST", "/url", {"url": "about:blank"})  # so that a new fragment loads the page
+        self.call("POST", "/url", {"url": address})
+
+    def run(self, script):
+        return self.call("POST", "/execute/sync", {"script": script, "args": []})
+
+    def act(self, kind, actions, **more):
+        self.call("POST", "/actions", {"actions": [
+            {"type": kind, "id": kind + str(more), "actions": actions, **more}]})
+
+    def hold(self, key, seconds):
+        code = KEYS.get(key, key)
+        self.act("key", [{"type": "keyDown", "value": code},
+                         {"type": "pause", "duration": int(1000 * seconds)},
+                         {"type": "keyUp", "value": code}])
+
+    def press(self, key):
+        self.hold(key, 0.05)
+
+    def tap(self, x, y):
+        self.act("pointer", [{"type": "pointerMove", "x": x, "y": y, "duration": 0},
+                             {"type": "pointerDown", "button": 0},
+                             {"type": "pause", "duration": 60},
+                             {"type": "pointerUp", "button": 0}],
+                 parameters={"pointerType": "touch"})
+
+    def drag(self, start, end):
+        self.act("pointer", [{"type": "pointerMove", "x": start[0], "y": start[1], "duration": 0},
+                             {"type": "pointerDown", "button": 0},
+                             {"type": "pointerMove", "x": end[0], "y": end[1], "duration": 300},
+                             {"type": "pointerUp", "button": 0}],
+                 parameters={"pointerType": "touch"})
+
+    def picture(self, path):
+        path.write_bytes(base64.b64decode(self.call("GET", "/screenshot")))
+
+    def resize(self, width, height):
+        """Sets the size of the page (pixels)."""
+        self.call("POST", "/goog/cdp/execute", {"cmd": "Emulation.setDeviceMetricsOverride", "params": {
+            "width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 600}})
+
+    def faults(self):
+        log = self.call("POST", "/se/log", {"type": "browser"})
+        return [entry["message"] for entry in log if entry["level"] == "SEVERE"]
+
+    def close(self):
+        try:
+            self.call("DELETE", "")
+        finally:
+            self.driver.kill()
+
+
+class Quiet(http.server.SimpleHTTPRequestHandler):
+    def log_message(self, *_):
+        pass
+
+
+@contextlib.contextmanager
+def served(folder):
+    """Serves a folder; the address of its root."""
+    handler = functools.partial(Quiet, directory=str(folder))
+    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler)
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    yield f"http://127.0.0.1:{server.server_port}/"
+    server.shutdown()
+
+
+@contextlib.contextmanager
+def chromium(preferences=None):
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile:
+        browser = Browser(profile, preferences)
+        try:
+            yield browser
+        finally:
+            browser.close()
+
+
+def missing():
+    """What has to be installed; empty if nothing."""
+    return [name for name in ("chromium", "chromedriver") if shutil.which(name) is None]
+
+
+class Trial:
+    def __init__(self, browser, address, pictures):
+        self.browser = browser
+        self.address = address
+        self.pictures = pictures
+        self.failed = []
+
+    def expect(self, holds, sentence):
+        print(("holds: " if holds else "FAILS: ") + sentence, flush=True)
+        if not holds:
+            self.failed.append(sentence)
+
+    def shot(self, name):
+        self.browser.picture(self.pictures / f"browser-{name}.png")

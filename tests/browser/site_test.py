@@ -1,0 +1,210 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Uses the start page and the sandbox in a headless Chromium: site_test.py PAGE PICTURES
+
+PAGE is the folder that tools/web builds. Exit code: 0 all held, 1 something did not, 77 chromium or
+chromedriver is missing."""
+import pathlib
+import sys
+import time
+
+from browser import Trial, chromium, missing, served
+
+SIZES = ((360, 640), (1280, 720), (1920, 1080))
+FIRST_FRAME = 3.0  # s after the navigation
+DRAG, DROP = 0, 1  # of kHands
+# Names without which a screen reader has nothing to say.
+NAMELESS = """return [...document.querySelectorAll("button, input, select, canvas")].filter((one) =>
+    !(one.labels?.length || one.textContent.trim() || one.ariaLabel)).map((one) => one.outerHTML);"""
+# Small controls are hard to hit by a finger.
+SMALL = """return [...document.querySelectorAll("button, select, .choice")].filter((one) => {
+    const { width, height } = one.getBoundingClientRect();
+    return width > 0 && (height < 36 || width < 36); }).map((one) => one.textContent);"""
+BROKEN = """const done = arguments[0];
+    Promise.all([...document.querySelectorAll("a[href]")].map(async ({ href }) =>
+        [href, (await fetch(href)).status])).then((all) => done(all.filter(([, code]) => code !== 200)));"""
+# Least time (ms) of a step and of a picture: other programs only add to it.
+FRAME_WORK = """const least = (work) => Math.min(...Array.from({ length: 120 }, () => {
+        const start = performance.now(); work(); return performance.now() - start; }));
+    return [least(() => sandbox.kodo.sandbox_step()), least(sandbox.draw)];"""
+
+
+class Site(Trial):
+    def wait(self, script, seconds=20):
+        """Waits until an expression is true; false after some seconds."""
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            if self.browser.run(f"try {{ return Boolean({script}); }} catch (e) {{ return false; }}"):
+                return True
+            time.sleep(0.05)
+        return False
+
+    def number(self, expression):
+        return self.browser.run(f"return {expression};")
+
+    def later(self, script):
+        return self.browser.call("POST", "/execute/async", {"script": script, "args": []})
+
+    def fits(self, name):
+        wide = self.number("document.documentElement.scrollWidth - window.innerWidth")
+        self.expect(wide <= 0, f"{name} is no wider than the screen ({wide} pixels)")
+
+    def start_page(self):
+        for width, height in SIZES:
+            self.browser.resize(width, height)
+            self.browser.open(self.address)
+            self.expect(self.wait("window.start.world.stepCount() > 20"), "the tower is simulated")
+            self.fits(f"the start page at {width} x {height}")
+            self.shot(f"start-{width}")
+        bodies = self.number("start.world.bodyCount()")
+        self.browser.run("document.getElementById('canvas').focus();")
+        self.browser.press("enter")
+        self.expect(self.number("start.world.bodyCount()") == bodies + 1, "enter throws a ball")
+        time.sleep(1)
+        self.browser.run("document.getElementById('undo').click();")
+        self.expect("bits" in self.number("document.getElementById('told').textContent"), "it goes back")
+        self.expect(self.number("start.world.bodyCount()") in (bodies, bodies + 1), "to a World it had")
+        self.expect(not self.browser.run(NAMELESS), "each control of the start page has a name")
+        self.expect(not self.later(BROKEN), f"its links lead somewhere {self.later(BROKEN)}")
+        self.browser.open(self.address + "pages/index.html")
+        self.expect(not self.later(BROKEN), "the links of the list of pages lead somewhere")
+        self.browser.open(self.address + "pages/manual.html")
+        self.shot("manual")
+
+    def scene(self, name):
+        self.browser.open(f"{self.address}sandbox/#{name.replace(' ', '%20')}")
+        return self.wait("window.sandbox.kodo.sandbox_tick() >= 0")
+
+    def sandbox(self):
+        for width, height in SIZES:
+            self.browser.resize(width, height)
+            self.expect(self.scene("Big wheel"), f"the sandbox starts at {width} x {height}")
+            self.wait("sandbox.kodo.sandbox_tick() > 60")
+            self.fits(f"the sandbox at {width} x {height}")
+            self.shot(f"sandbox-{width}")
+        first = self.number("sandbox.ready") / 1000
+        self.expect(first < FIRST_FRAME, f"its first frame comes {first:.2f} s after the page")
+        self.expect(self.number("document.querySelectorAll('#scene option').length") >= 73, "all scenes")
+        self.expect(not self.browser.run(NAMELESS), f"each control has a name {self.browser.run(NAMELESS)}")
+        self.expect(not self.browser.run(SMALL), f"fingers hit each control {self.browser.run(SMALL)}")
+        self.expect(self.number("document.getElementById('question').textContent").endswith("?"),
+                    "the question of the scene is shown")
+
+    def verdict(self):
+        self.scene("Big wheel")
+        for _ in range(40):
+            self.browser.run("for (let i = 0; i < 30; ++i) sandbox.kodo.sandbox_step();")
+            if self.number("sandbox.kodo.sandbox_verdict()") >= 0:
+                break
+        self.wait("document.getElementById('verdict').textContent !== ''")
+        self.expect(self.number("document.getElementById('verdict').textContent") == "As expected.",
+                    "a scene without a touch is judged as expected")
+
+    def keyboard(self):
+        self.browser.resize(1280, 720)
+        self.scene("Pyramid")
+        for _ in range(40):
+            self.browser.press("tab")
+            if self.number("document.activeElement.id") == "canvas":
+                break
+        self.expect(self.number("document.activeElement.id") == "canvas", "tab reaches the scene")
+        self.browser.press(" ")
+        self.expect(self.number("sandbox.state.paused"), "space pauses")
+        tick = self.number("sandbox.kodo.sandbox_tick()")
+        self.browser.press("n")
+        self.expect(self.number("sandbox.kodo.sandbox_tick()") == tick + 1, "N makes one step")
+        self.browser.press("b")
+        self.expect(self.number("sandbox.kodo.sandbox_tick()") == tick, "B goes one step back")
+        bodies = self.number("sandbox.kodo.sandbox_bodies()")
+        for key in ("2", "up", "left", "enter", "enter"):
+            self.browser.press(key)
+        self.expect(self.number("sandbox.kodo.sandbox_bodies()") == bodies + 1,
+                    "arrows and enter drop a body")
+        self.shot("keyboard")
+        self.browser.press("page down")
+        self.expect(self.number("sandbox.state.scene") > 0, "page down opens the next scene")
+        self.browser.run("document.querySelector('.dial:not([hidden]) input[type=range]').focus();")
+        before = self.number("document.activeElement.value")
+        self.browser.press("right")
+        self.expect(self.number("document.activeElement.value") != before, "an arrow turns a dial")
+        dial = self.number("sandbox.kodo.sandbox_dial(Number(document.activeElement.id.match(/\\d+/)[0]))")
+        self.expect(abs(dial - float(self.number("document.activeElement.value"))) < 1e-6,
+                    "and the engine has its value")
+
+    def pointer(self, script):
+        """The state after a scene, a script and 30 steps without time."""
+        self.scene("Pyramid")
+        self.browser.run("sandbox.state.paused = true; sandbox.kodo.sandbox_open(0);")
+        self.browser.run(script)
+        self.browser.run("for (let i = 0; i < 30; ++i) sandbox.kodo.sandbox_step();")
+        return self.number("`${sandbox.kodo.sandbox_hash(0)} ${sandbox.kodo.sandbox_hash(1)}`")
+
+    def touch(self):
+        self.browser.resize(360, 640)
+        untouched = self.pointer("")
+        self.expect(self.pointer("") == untouched, "a scene has the same bits again")
+        self.scene("Pyramid")
+        self.browser.run("sandbox.state.hand = 1;")
+        bodies = self.number("sandbox.kodo.sandbox_bodies()")
+        box = self.number("(({ x, y, width, height }) => [x + width / 2, y + height / 5])"
+                          "(document.getElementById('canvas').getBoundingClientRect())")
+        self.browser.tap(int(box[0]), int(box[1]))
+        self.expect(self.number("sandbox.kodo.sandbox_bodies()") == bodies + 1, "a tap drops a body")
+        self.browser.run("sandbox.state.hand = 0;")
+        self.wait("sandbox.kodo.sandbox_tick() > 150")
+        middle = self.number("(({ x, y, width, height }) => [x + width / 2, y + height * 0.75])"
+                             "(document.getElementById('canvas').getBoundingClientRect())")
+        self.browser.drag((int(middle[0]), int(middle[1])), (int(middle[0]) + 90, int(middle[1]) - 120))
+        time.sleep(0.5)
+        self.shot("dragged")
+
+    def frames(self):
+        self.browser.resize(1280, 720)
+        name = self.number("(() => { const { kodo, registry } = sandbox; const found = "
+                           "registry.scenes.map(({ name }, i) => { kodo.sandbox_open(i); "
+                           "return [Math.abs(kodo.sandbox_bodies() - 200), name]; });"
+                           " return found.sort((a, b) => a[0] - b[0])[0][1]; })()")
+        self.scene(name)
+        step, picture = self.browser.run(FRAME_WORK)
+        bodies = self.number("sandbox.kodo.sandbox_bodies()")
+        print(f"{name}, {bodies:.0f} bodies: {step:.2f} ms a step, {picture:.2f} ms a picture")
+        self.expect(step + picture < 1000 / 60, "a frame of 60 in a second has time for both")
+        self.shot("frames")
+
+
+def refused(page, pictures):
+    """With storage refused, all pages work."""
+    preferences = {"profile.default_content_setting_values.cookies": 2}
+    with served(page) as address, chromium(preferences) as browser:
+        site = Site(browser, address, pictures)
+        browser.open(address)
+        site.expect(site.wait("(() => { try { localStorage.length; return false; } catch { return true; } })()"),
+                    "storage is refused")
+        site.expect(site.wait("window.start.world.stepCount() > 20"), "the start page runs then")
+        site.expect(site.scene("Pyramid") and site.wait("sandbox.kodo.sandbox_tick() > 10"),
+                    "the sandbox runs then")
+        browser.open(address + "apart/index.html")
+        site.expect(site.wait("Module._gameState(0) === 0"), "the title of the game appears then")
+        return site.failed
+
+
+def main(page, pictures):
+    if missing():
+        print("Missing: " + ", ".join(missing()))
+        return 77
+    pictures.mkdir(parents=True, exist_ok=True)
+    with served(page) as address, chromium() as browser:
+        site = Site(browser, address, pictures)
+        for part in (site.start_page, site.sandbox, site.verdict, site.keyboard, site.touch, site.frames):
+            part()
+        faults = browser.faults()
+        site.expect(not faults, f"the browser reports no error {faults[:3]}")
+    failed = site.failed + refused(page, pictures)
+    print(f"{len(failed)} failed")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    sys.exit(main(pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])))

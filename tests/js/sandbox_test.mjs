@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// The sandbox of the page in node: KODO_SANDBOX is its folder. Run by tools/web --check.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { pathToFileURL } from "node:url";
+
+const folder = process.env.KODO_SANDBOX;
+
+test("each scene of the page is judged as expected", { skip: folder === undefined }, async () => {
+  const { loadWasm } = await import(pathToFileURL(`${folder}/wasm.js`).href);
+  const kodo = await loadWasm(pathToFileURL(`${folder}/sandbox.wasm`), {});
+  const bytes = new Uint8Array(kodo.memory.buffer, kodo.sandbox_registry());
+  const { scenes, dials } = JSON.parse(new TextDecoder().decode(bytes.subarray(0, bytes.indexOf(0))));
+  assert.ok(scenes.length >= 73 && dials.length >= 20);
+  const wrong = scenes.filter(({ seconds }, i) => {
+    kodo.sandbox_open(i);
+    for (let step = 0; step <= 60 * seconds && kodo.sandbox_verdict() < 0; ++step) {
+      kodo.sandbox_step();
+    }
+    return kodo.sandbox_verdict() !== 1;
+  });
+  assert.deepEqual(wrong.map(({ name }) => name), []);
+});

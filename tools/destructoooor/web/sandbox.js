@@ -1,0 +1,471 @@
+// SPDX-License-Identifier: MIT
+// The page of the sandbox: panel and picture. Scenes, dials and hands come from the program.
+import { loadWasm } from "./wasm.js";
+
+const kStep = 1 / 60; // s
+const kMostSteps = 4; // per frame; beyond that, the simulation runs slower
+const kDrag = 0;
+const kDrop = 1;
+const kLooks = ["Joints", "Contacts", "Impulses", "Bounds", "Velocities", "Centres of mass", "Ids",
+                "Colours of islands"];
+const kMeasures = [["Time", "ms", (us) => (us / 1000).toFixed(2)], ["Deepest overlap", "mm"],
+                   ["Energy", "J"], ["Momentum", "kg m/s"], ["Awake", "bodies", Math.round],
+                   ["Visits of contacts", "", Math.round]];
+
+const kodo = await loadWasm(new URL("./sandbox.wasm", import.meta.url), {});
+const textAt = (at) => {
+  const bytes = new Uint8Array(kodo.memory.buffer, at);
+  return new TextDecoder().decode(bytes.subarray(0, bytes.indexOf(0)));
+};
+const registry = JSON.parse(textAt(kodo.sandbox_registry()));
+const element = (id) => document.getElementById(id);
+const canvas = element("canvas");
+const context = canvas.getContext("2d");
+
+const state = { scene: 0, hand: kDrag, thing: 0, size: 1, paused: false, owed: 0, last: performance.now() };
+const view = { x: 0, y: 0, height: 16 }; // m
+let cursor = null; // m, of the keyboard
+let held = false; // by the keyboard
+
+/** Adds an element with properties and children. */
+function add(parent, tag, properties = {}, ...children) {
+  const made = Object.assign(document.createElement(tag), properties);
+  made.append(...children);
+  parent.append(made);
+  return made;
+}
+
+function say(text) {
+  element("message").textContent = text;
+}
+
+/** A choice among some, as radio buttons. */
+function choices(parent, name, items, chosen, act) {
+  items.forEach((item, i) => {
+    const label = add(parent, "label", { className: "choice", title: item.what ?? "" });
+    const input = add(label, "input", { type: "radio", name, value: i, checked: i === chosen });
+    input.onchange = () => act(i);
+    label.append(item.name ?? item);
+  });
+}
+function choose(name, value) {
+  const input = document.querySelector(`input[name=${name}][value="${value}"]`);
+  input.checked = true;
+}
+
+// Scenes.
+
+function fillScenes() {
+  let group = null;
+  registry.scenes.forEach((scene, i) => {
+    if (group?.label !== scene.group) {
+      group = add(element("scene"), "optgroup", { label: scene.group });
+    }
+    add(group, "option", { value: i }, scene.name);
+  });
+}
+
+function open(scene) {
+  state.scene = (scene + registry.scenes.length) % registry.scenes.length;
+  const { name, question, expectation, seconds } = registry.scenes[state.scene];
+  kodo.sandbox_open(state.scene);
+  element("scene").value = state.scene;
+  element("question").textContent = question;
+  element("expectation").textContent =
+    `Expected: ${expectation} Judged after ${seconds.toFixed(1)} s, if nothing is touched.`;
+  document.title = `${name} - Destructoooor!`;
+  history.replaceState(null, "", `#${encodeURIComponent(name)}`);
+  held = false;
+  say("");
+  showScene();
+  refresh();
+}
+
+function showScene() {
+  const [left, bottom, right, top] = registry.scenes[state.scene].view;
+  view.x = (left + right) / 2;
+  view.y = (bottom + top) / 2;
+  view.height = Math.max(top - bottom, (right - left) * canvas.height / Math.max(1, canvas.width));
+}
+
+// Dials.
+
+const dials = []; // { refresh } of each
+
+/** A control of one dial: refresh() shows its value. */
+function dialControl(parent, dial, i) {
+  const set = (value) => {
+    say(textAt(kodo.sandbox_setDial(i, value)));
+    refresh();
+  };
+  const what = `dial-${i}`;
+  const box = add(parent, "div", { className: "dial" });
+  const small = () => add(box, "small", { id: what }, `${dial.what} ${dial.price}`);
+  const shown = () => (box.hidden = !kodo.sandbox_dialShown(i));
+  if (dial.words.join() === "off,on") {
+    const label = add(box, "label", { className: "choice" });
+    const input = add(label, "input", { type: "checkbox" });
+    input.setAttribute("aria-describedby", what);
+    input.onchange = () => set(input.checked ? 1 : 0);
+    label.append(dial.name);
+    small();
+    return () => { shown(); input.checked = kodo.sandbox_dial(i) > 0; };
+  }
+  if (dial.words.length > 0) {
+    const group = add(box, "div", { className: "row", role: "radiogroup", ariaLabel: dial.name });
+    choices(group, what, dial.words, -1, set);
+    small();
+    return () => { shown(); choose(what, kodo.sandbox_dial(i)); };
+  }
+  const label = add(box, "label", { htmlFor: `${what}-input` }, dial.name);
+  const output = add(label, "output");
+  const input = add(box, "input", { type: "range", id: `${what}-input`, min: dial.low, max: dial.high,
+                                    step: dial.stride });
+  input.setAttribute("aria-describedby", what);
+  input.oninput = () => set(Number(input.value));
+  small();
+  return () => {
+    shown();
+    const value = kodo.sandbox_dial(i);
+    input.value = value;
+    output.textContent = Number(value.toFixed(2));
+  };
+}
+
+function fillDials() {
+  let group = null;
+  registry.dials.forEach((dial, i) => {
+    if (group?.dataset.name !== dial.group) {
+      group = add(element("dials"), "fieldset");
+      add(group, "legend", {}, dial.group);
+      group.dataset.name = dial.group;
+    }
+    dials.push(dialControl(group, dial, i));
+  });
+}
+
+function fillPanel() {
+  choices(element("hands"), "hand", registry.hands, kDrag, setHand);
+  choices(element("things"), "thing", registry.things, 0, (thing) => {
+    state.thing = thing;
+    kodo.sandbox_setDropped(thing, state.size);
+  });
+  for (const [id, act] of [["profiles", (i) => say(textAt(kodo.sandbox_setProfile(i)))],
+                           ["compare", (i) => kodo.sandbox_compare(i)]]) {
+    registry.profiles.forEach((name, i) => {
+      add(element(id), "button", {}, name).onclick = () => { act(i); refresh(); };
+    });
+  }
+  add(element("compare"), "button", {}, "none").onclick = () => kodo.sandbox_compare(-1);
+  add(element("compare"), "output", { id: "difference" });
+  kLooks.forEach((name, i) => {
+    const label = add(element("look"), "label", { className: "choice" });
+    const input = add(label, "input", { type: "checkbox", checked: i === 0 });
+    label.append(name);
+    input.onchange = () => kodo.sandbox_look([...element("look").querySelectorAll("input")].reduce(
+      (bits, each, bit) => bits | (each.checked ? 1 << bit : 0), 0));
+  });
+  for (const [name] of kMeasures) {
+    add(element("measures"), "dt", {}, name);
+    add(element("measures"), "dd");
+  }
+}
+
+function setHand(hand) {
+  state.hand = hand;
+  choose("hand", hand);
+  element("things").hidden = hand !== kDrop;
+  say(registry.hands[hand].what);
+}
+
+function setPaused(paused) {
+  state.paused = paused;
+  element("pause").textContent = paused ? "Play" : "Pause";
+  element("pause").setAttribute("aria-pressed", String(paused));
+}
+
+/** Shows all values that a change may have changed. */
+function refresh() {
+  dials.forEach((show) => show());
+  showTime();
+}
+
+let shownVerdict = -1;
+function showTime() {
+  const [tick, first, last] = [kodo.sandbox_tick(), kodo.sandbox_firstTick(), kodo.sandbox_lastTick()];
+  const time = element("time");
+  time.min = first;
+  time.max = Math.max(last, tick, 1);
+  time.value = tick;
+  time.setAttribute("aria-valuetext", `${(tick * kStep).toFixed(2)} seconds`);
+  element("seconds").textContent = `${(tick * kStep).toFixed(2)} s`;
+  const verdict = kodo.sandbox_verdict();
+  if (verdict !== shownVerdict) {
+    shownVerdict = verdict;
+    element("verdict").className = verdict === 1 ? "held" : "failed";
+    element("verdict").textContent =
+      verdict < 0 ? "" : verdict === 1 ? "As expected." : "Not as expected.";
+  }
+  const values = element("measures").querySelectorAll("dd");
+  kMeasures.forEach(([, unit, format = (value) => value.toPrecision(3)], i) => {
+    values[i].textContent = `${format(kodo.sandbox_measure(i))} ${unit}`;
+  });
+  const apart = kodo.sandbox_difference();
+  element("difference").textContent = apart > 0 ? `apart by ${apart.toPrecision(3)} m` : "";
+}
+
+function rewind(tick) {
+  setPaused(true);
+  kodo.sandbox_rewind(Math.max(0, tick));
+  refresh();
+}
+
+// Picture.
+
+const metre = () => canvas.height / view.height; // pixels of the canvas
+const toWorld = (x, y) => ({ x: view.x + (x - canvas.width / 2) / metre(),
+                             y: view.y - (y - canvas.height / 2) / metre() });
+
+function resize() {
+  const density = window.devicePixelRatio;
+  const { clientWidth, clientHeight } = canvas;
+  if (canvas.width !== Math.round(clientWidth * density)
+      || canvas.height !== Math.round(clientHeight * density)) {
+    canvas.width = Math.round(clientWidth * density);
+    canvas.height = Math.round(clientHeight * density);
+    showScene();
+  }
+}
+
+const css = (bytes, at) =>
+  `rgb(${bytes[at]} ${bytes[at + 1]} ${bytes[at + 2]} / ${bytes[at + 3] / 255})`;
+
+/** Plays the figures of a picture: see Figures in page.cpp. */
+function draw() {
+  const density = window.devicePixelRatio;
+  const scale = metre();
+  const [left, top] = [view.x - canvas.width / 2 / scale, view.y + canvas.height / 2 / scale];
+  const count = kodo.sandbox_draw(left, view.y - canvas.height / 2 / scale,
+                                  view.x + canvas.width / 2 / scale, top, density / scale);
+  const at = kodo.sandbox_figures();
+  const numbers = new Float32Array(kodo.memory.buffer, at, count);
+  const bytes = new Uint8Array(kodo.memory.buffer, at, 4 * count);
+  context.setTransform(1, 0, 0, 1, 0, 0);
+  context.clearRect(0, 0, canvas.width, canvas.height);
+  context.lineJoin = "round";
+  for (let i = 0; i < count;) {
+    const [kind, fill] = [numbers[i], bytes[4 * i + 11] > 0];
+    const [from, to] = [i + 5, i + 5 + numbers[i + 4]];
+    context.strokeStyle = css(bytes, 4 * i + 4);
+    context.lineWidth = numbers[i + 3] * density;
+    context.beginPath();
+    if (kind === 3) {
+      context.fillStyle = context.strokeStyle;
+      context.font = `${12 * density}px sans-serif`;
+      context.textAlign = "center";
+      context.fillText(String.fromCharCode(...numbers.subarray(from + 2, to)),
+                       (numbers[from] - left) * scale, (top - numbers[from + 1]) * scale);
+    } else if (kind === 2) {
+      context.arc((numbers[from] - left) * scale, (top - numbers[from + 1]) * scale,
+                  numbers[from + 2] * scale, 0, 2 * Math.PI);
+    } else {
+      for (let k = from; k < to; k += 2) {
+        context.lineTo((numbers[k] - left) * scale, (top - numbers[k + 1]) * scale);
+      }
+      if (kind === 1) {
+        context.closePath();
+      }
+    }
+    if (fill && kind !== 3) {
+      context.fillStyle = css(bytes, 4 * i + 8);
+      context.fill();
+    }
+    context.stroke();
+    i = to;
+  }
+  if (cursor !== null) {
+    const [x, y] = [(cursor.x - left) * scale, (top - cursor.y) * scale];
+    context.strokeStyle = held ? "#ffdc5a" : "#ffffff";
+    context.lineWidth = 2 * density;
+    context.strokeRect(x - 6 * density, y - 6 * density, 12 * density, 12 * density);
+  }
+}
+
+function frame(now) {
+  resize();
+  state.owed = state.paused ? 0 : Math.min(state.owed + (now - state.last) / 1000, kMostSteps * kStep);
+  state.last = now;
+  const steps = Math.floor(state.owed / kStep + 1e-6);
+  for (let i = 0; i < steps; ++i) {
+    kodo.sandbox_step();
+  }
+  state.owed = Math.max(0, state.owed - steps * kStep);
+  draw();
+  if (steps > 0) {
+    showTime();
+  }
+  requestAnimationFrame(frame);
+}
+
+// Mouse and touch.
+
+const fingers = new Map(); // pointers that are down, in pixels of the canvas
+let panning = false;
+
+const placeOf = ({ offsetX, offsetY }) => ({ x: offsetX * window.devicePixelRatio,
+                                             y: offsetY * window.devicePixelRatio });
+function pointer(phase, { x, y }) {
+  const sentence = textAt(kodo.sandbox_pointer(phase, state.hand, x, y));
+  if (sentence !== "") {
+    say(sentence);
+  }
+  if (phase === 2) {
+    refresh();
+  }
+}
+
+canvas.onpointerdown = (event) => {
+  canvas.setPointerCapture(event.pointerId);
+  cursor = null;
+  fingers.set(event.pointerId, placeOf(event));
+  if (fingers.size > 1 && !panning) {
+    pointer(2, toWorld(...Object.values(placeOf(event))));
+  }
+  panning = fingers.size > 1 || event.button > 0;
+  if (!panning) {
+    const { x, y } = placeOf(event);
+    pointer(0, toWorld(x, y));
+  }
+};
+canvas.onpointermove = (event) => {
+  const before = fingers.get(event.pointerId);
+  if (before === undefined) {
+    return;
+  }
+  const now = placeOf(event);
+  fingers.set(event.pointerId, now);
+  if (!panning) {
+    pointer(1, toWorld(now.x, now.y));
+    return;
+  }
+  view.x -= (now.x - before.x) / metre() / fingers.size;
+  view.y += (now.y - before.y) / metre() / fingers.size;
+  const other = [...fingers].find(([id]) => id !== event.pointerId)?.[1];
+  if (other !== undefined) {
+    const distance = (place) => Math.hypot(place.x - other.x, place.y - other.y);
+    zoom(distance(before) / Math.max(1, distance(now)));
+  }
+};
+canvas.onpointerup = canvas.onpointercancel = (event) => {
+  if (!fingers.delete(event.pointerId)) {
+    return;
+  }
+  if (!panning) {
+    const { x, y } = placeOf(event);
+    pointer(2, toWorld(x, y));
+  }
+  panning = panning && fingers.size > 0;
+};
+canvas.oncontextmenu = () => false;
+canvas.addEventListener("wheel", (event) => {
+  event.preventDefault();
+  if (state.hand === kDrop) {
+    state.size = Math.min(4, Math.max(0.2, state.size - 0.1 * Math.sign(event.deltaY)));
+    kodo.sandbox_setDropped(state.thing, state.size);
+    say(`Size ${state.size.toFixed(1)} m.`);
+  } else {
+    zoom(event.deltaY > 0 ? 1 / 0.9 : 0.9);
+  }
+}, { passive: false });
+
+function zoom(factor) {
+  view.height = Math.min(400, Math.max(1, view.height * factor));
+}
+
+// Keys.
+
+const actions = {
+  " ": () => setPaused(!state.paused),
+  n: () => { setPaused(true); kodo.sandbox_step(); refresh(); },
+  b: () => rewind(kodo.sandbox_tick() - 1),
+  r: () => open(state.scene),
+  PageUp: () => open(state.scene - 1),
+  PageDown: () => open(state.scene + 1),
+  Home: showScene,
+  e: () => setHand(10),
+  0: () => setHand(9),
+};
+for (let i = 1; i <= 9; ++i) {
+  actions[i] = () => setHand(i - 1);
+}
+const kArrows = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+
+function canvasKey(event) {
+  if (event.key in kArrows) {
+    const stride = event.shiftKey ? 0.1 : 0.5; // m
+    cursor ??= { x: view.x, y: view.y };
+    cursor.x += stride * kArrows[event.key][0];
+    cursor.y += stride * kArrows[event.key][1];
+    if (held) {
+      pointer(1, cursor);
+    }
+  } else if (event.key === "Enter") {
+    cursor ??= { x: view.x, y: view.y };
+    held = !held;
+    pointer(held ? 0 : 2, cursor);
+    say(held ? "Pressed: arrows move, enter releases." : "Released.");
+  } else if (event.key === "+" || event.key === "-") {
+    zoom(event.key === "+" ? 0.9 : 1 / 0.9);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+window.onkeydown = (event) => {
+  if (event.ctrlKey || event.metaKey || event.altKey) {
+    return;
+  }
+  const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+  const target = event.target;
+  const typing = target instanceof HTMLSelectElement
+    || (target instanceof HTMLInputElement && !/^[nrbe]$/.test(key))
+    || (target instanceof HTMLButtonElement && key === " ") || target.tagName === "SUMMARY";
+  const done = target === canvas && canvasKey(event);
+  if (!done && (typing || !(key in actions))) {
+    return;
+  }
+  if (!done) {
+    actions[key]();
+  }
+  event.preventDefault();
+};
+
+// Start.
+
+fillScenes();
+fillPanel();
+fillDials();
+element("scene").onchange = () => open(Number(element("scene").value));
+element("previous").onclick = () => open(state.scene - 1);
+element("next").onclick = () => open(state.scene + 1);
+element("pause").onclick = actions[" "];
+element("step").onclick = actions.n;
+element("back").onclick = actions.b;
+element("restart").onclick = actions.r;
+element("time").oninput = () => rewind(Number(element("time").value));
+element("copy").onclick = async () => {
+  const code = textAt(kodo.sandbox_code());
+  try {
+    await navigator.clipboard.writeText(code);
+    say("The settings are in the clipboard.");
+  } catch {
+    say(code); // the browser refuses: to be copied from here
+  }
+};
+const wanted = decodeURIComponent(location.hash.slice(1));
+resize();
+open(Math.max(0, registry.scenes.findIndex(({ name }) => name === wanted)));
+setPaused(matchMedia("(prefers-reduced-motion: reduce)").matches);
+window.sandbox = { kodo, registry, state, draw, ready: performance.now() }; // for tests
+requestAnimationFrame(frame);
