@@ -59,8 +59,9 @@ class Pictures(unittest.TestCase):
         labelled = xml.etree.ElementTree.fromstring(world.svg(labels=True))
         self.assertEqual(5, len(labelled.findall(f".//{name}text")))
         self.assertEqual(world.svg(), world._repr_svg_())
-        world.step(DT)
-        arrows = [world.svg(impulses=True, metres_per_impulse=long) for long in (1, 2)]
+        for _ in range(60):
+            world.step(DT)
+        arrows = [world.svg(impulses=True, metres_per_impulse=length) for length in (1, 2)]
         self.assertNotEqual(*arrows)
 
     def test_a_stiffness_becomes_hertz_and_a_damping_ratio(self):

@@ -60,9 +60,9 @@ TEST(PartFilter, HoldsForItsPartAlone) {
 
 TEST(PartFilter, ReplacesThatOfTheBody) {
     Tiles tiles;
-    tiles.world[tiles.floor].setFlags(kMatchEqual); // neither ball
+    tiles.world[tiles.floor].setFlags(kMatchAny); // of no category: neither ball
     tiles.set(1, {.flags = kMatchAny, .required = kRed});
-    EXPECT_EQ(tiles.world[tiles.floor].filter(0).flags, kMatchEqual);
+    EXPECT_EQ(tiles.world[tiles.floor].filter(0).flags, kMatchAny);
     EXPECT_EQ(tiles.world[tiles.floor].filter(1).required, kRed);
     tiles.run();
     EXPECT_FALSE(tiles.lies(tiles.left));
@@ -96,7 +96,6 @@ TEST(PartFilter, MakesOnePartASensor) {
         // Free fall in substeps: y = 2 - g t^2 / 2, and at most g t dt / 2 less.
         EXPECT_NEAR(tiles.world[tiles.left].position().y, 2 - 5 * Real(2.25), Real(0.13));
         EXPECT_TRUE(tiles.lies(tiles.right));
-        EXPECT_TRUE(tiles.world[tiles.right].isAsleep() || tiles.lies(tiles.right));
     }
 }
 
@@ -206,8 +205,8 @@ TEST(SetPart, IsState) {
     EXPECT_NE(tiles.world.stateHash(), plain);
     World restored = fromBytes(toBytes(tiles.world));
     EXPECT_EQ(restored.stateHash(), tiles.world.stateHash());
-    const BodyId clone = restored.clone(tiles.floor, {0, 20});
-    EXPECT_EQ(restored[clone].filter(1).group, -2);
+    World copy = restored;
+    EXPECT_EQ(copy[copy.clone(tiles.floor, {0, 20})].filter(1).group, -2);
     Tiles again = tiles;
     again.world = restored;
     tiles.run();
