@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the panel and the questions of a game say.
+#include <apart/core/daily.hpp>
 #include <apart/core/endless.hpp>
-#include <apart/stage/daily.hpp>
 #include <apart/stage/palette.hpp>
 
 #include <gtest/gtest.h>

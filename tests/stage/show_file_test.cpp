@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/assets.hpp>
+#include <apart/core/daily.hpp>
 #include <apart/core/endless.hpp>
-#include <apart/stage/daily.hpp>
 #include <apart/stage/replay_store.hpp>
 #include <apart/stage/show_file.hpp>
 #include <support/folder_test.hpp>

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: MIT
+#include <apart/core/assets.hpp>
+#include <apart/core/daily.hpp>
+#include <apart/core/level_file.hpp>
+#include <apart/core/replay_link.hpp>
+#include <apart/stage/own_levels.hpp>
+#include <support/folder_test.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "stage_rig.hpp"
+
+namespace apart {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A stage whose editor writes into a folder of its own.
+class EditorStage : public support::FolderTest {
+protected:
+    void SetUp() override {
+        FolderTest::SetUp();
+        fs::create_directories(folder_);
+    }
+
+    void start() {
+        StageDef def = StageRig::twoLevels();
+        def.edit = [levels = def.levels, this](const Level* level) {
+            return editorOf(level, levels, folder_);
+        };
+        rig_ = std::make_unique<StageRig>(std::move(def));
+        rig_->clickItem(Action::Levels);
+        key("N");
+    }
+
+    void key(const char* name) {
+        Signals signals;
+        signals.presses = {{false, *keyNamed(name)}};
+        rig_->frame(signals);
+    }
+    void mouse(Vec2 place, bool held, bool clicked) {
+        Signals signals;
+        signals.pointer = signals.pointerNow = place;
+        signals.dragging = held;
+        signals.clicked = clicked;
+        rig_->frame(signals);
+    }
+    void drag(Vec2 from, Vec2 to) {
+        mouse(from, true, true);
+        mouse((from + to) / 2, true, false);
+        mouse(to, true, false);
+        mouse(to, false, false);
+    }
+    void click(Vec2 place) {
+        mouse(place, true, true);
+        mouse(place, false, false);
+    }
+    void button(EditorAct act, std::size_t value = 0) {
+        for (const EditorButton& button : EditorScreen::buttons()) {
+            if (button.act == act && button.value == value) {
+                return click(button.place.center());
+            }
+        }
+        FAIL() << "no such button";
+    }
+    const EditorScreen& editor() { return *rig_->stage.editor(); }
+    const Level& level() { return *editor().document().level(); }
+
+    std::unique_ptr<StageRig> rig_;
+};
+
+// A new level has a ledge whose top is at 6.2 m, and a brick on it.
+TEST_F(EditorStage, BlocksArePlacedAndSnapToContact) {
+    start();
+    ASSERT_EQ(rig_->stage.screen(), Screen::Editor);
+    button(EditorAct::Stuff, 3);
+    button(EditorAct::Shape, 3); // a square of stone
+    click({Real(-1.1), Real(6.7)});
+    ASSERT_EQ(level().freeBlocks.size(), 2u);
+    EXPECT_EQ(level().freeBlocks[1].x, -1200); // beside the brick
+    EXPECT_EQ(level().freeBlocks[1].y, 6600);  // on the ledge
+    EXPECT_EQ(level().kinds[level().freeBlocks[1].kind].stuff, Stuff::Stone);
+    EXPECT_TRUE(rig_->picture().says("2 blocks"));
+}
+
+TEST_F(EditorStage, ABlockIsDraggedMirroredRemovedAndAllOfItUndone) {
+    start();
+    drag({0, Real(6.6)}, {Real(2.02), Real(6.65)});
+    EXPECT_EQ(level().freeBlocks[0].x, 2000);
+    EXPECT_EQ(level().freeBlocks[0].y, 6600);
+    key("M");
+    ASSERT_EQ(level().freeBlocks.size(), 2u);
+    EXPECT_EQ(level().freeBlocks[1].x, -2000);
+    key("right");
+    EXPECT_EQ(level().freeBlocks[0].x, 2050);
+    key("X");
+    ASSERT_EQ(level().freeBlocks.size(), 1u);
+    EXPECT_EQ(level().freeBlocks[0].x, -2000);
+    for (int i = 0; i < 4; ++i) {
+        key("Z");
+    }
+    EXPECT_EQ(level().freeBlocks[0].x, 0);
+    key("Y");
+    EXPECT_EQ(level().freeBlocks[0].x, 2000);
+}
+
+TEST_F(EditorStage, RopesAndPinsAreDrawnByTheMouse) {
+    start();
+    button(EditorAct::Rope);
+    drag({0, 12}, {0, Real(6.6)});
+    button(EditorAct::Pin);
+    click({Real(0.5), Real(6.6)});
+    ASSERT_EQ(level().links.size(), 2u);
+    EXPECT_EQ(level().links[0].kind, LinkKind::Rope);
+    EXPECT_EQ(level().links[0].fromY, 12000);
+    EXPECT_EQ(level().links[1].kind, LinkKind::Pin);
+    click({8, 8});
+    EXPECT_EQ(level().links.size(), 2u);
+    EXPECT_TRUE(rig_->picture().says("A pin is at a block that is not mounted."));
+}
+
+TEST_F(EditorStage, TheLampNamesTheBlockThatMovesFirst) {
+    start();
+    rig_->frames(20);
+    EXPECT_FALSE(editor().standing().done()); // 60 ticks a frame
+    rig_->frames(110);
+    EXPECT_TRUE(editor().standing().done());
+    EXPECT_TRUE(rig_->picture().says("it stands"));
+    button(EditorAct::Shape, 0);
+    click({Real(1.1), Real(7.4)}); // overhangs the lower block too far
+    rig_->frames(60);
+    ASSERT_TRUE(editor().standing().first());
+    EXPECT_EQ(editor().standing().first()->block.key, keyOfFree(1));
+    EXPECT_TRUE(rig_->picture().says("moves after"));
+}
+
+TEST_F(EditorStage, APointerThatRestsShowsTheFall) {
+    start();
+    button(EditorAct::Shape, 0);
+    click({0, Real(7.4)});
+    key("A");
+    mouse({0, Real(6.6)}, false, false);
+    rig_->frames(60);
+    ASSERT_TRUE(editor().forecast());
+    EXPECT_EQ(editor().forecast()->struck(), 0u);
+    EXPECT_TRUE(editor().forecast()->done());
+    EXPECT_TRUE(rig_->picture().says("cleared by a hit here"));
+    mouse({8, 12}, false, false);
+    rig_->frame();
+    EXPECT_FALSE(editor().forecast());
+}
+
+TEST_F(EditorStage, TheMapOfServesGrowsInSlices) {
+    start();
+    rig_->frames(130); // the level stands
+    key("H");
+    rig_->frames(40);
+    ASSERT_TRUE(editor().map());
+    const std::uint32_t served = editor().map()->served();
+    EXPECT_GT(served, 0u);
+    EXPECT_LT(served, ServeMap::kServes);
+    rig_->frames(40);
+    EXPECT_GT(editor().map()->served(), served);
+    EXPECT_TRUE(rig_->picture().says("of 200 serves"));
+}
+
+TEST_F(EditorStage, ATryBeginsAtThePointerAndLeadsBack) {
+    start();
+    mouse({5, 12}, false, false);
+    key("T");
+    ASSERT_EQ(rig_->stage.screen(), Screen::Playing);
+    EXPECT_FALSE(rig_->stage.game().serving());
+    const Game& game = rig_->stage.game();
+    EXPECT_NEAR(game.world()[game.balls()[0].body].position().x, 5, 0.1);
+    rig_->press(Command::Back);
+    EXPECT_EQ(rig_->stage.screen(), Screen::Editor);
+    key("T");
+    rig_->press(Command::Restart);
+    EXPECT_EQ(rig_->stage.screen(), Screen::Playing);
+    EXPECT_LT(rig_->stage.game().ticks(), 5u);
+    for (int i = 0; i < 60 * 300 && rig_->stage.screen() == Screen::Playing; ++i) {
+        rig_->press(Command::Launch); // the paddle stays: lost
+    }
+    EXPECT_EQ(rig_->stage.screen(), Screen::Editor);
+    EXPECT_TRUE(rig_->stage.profile().best[0].empty());
+}
+
+TEST_F(EditorStage, ASavedLevelIsReadByTheGameAndStandsInTheList) {
+    start();
+    key("S");
+    const Read<Level> read = readLevelFile(folder_ / "my_level.toml");
+    ASSERT_TRUE(std::holds_alternative<Level>(read));
+    EXPECT_EQ(std::get<Level>(read), level());
+    key("M");
+    rig_->press(Command::Back);
+    EXPECT_EQ(rig_->stage.screen(), Screen::Levels);
+    EXPECT_TRUE(rig_->picture().says("my_level"));
+}
+
+TEST_F(EditorStage, UnsavedWorkIsLeftByASecondEscapeAlone) {
+    start();
+    button(EditorAct::Shape, 0);
+    click({0, Real(7.4)});
+    rig_->press(Command::Back);
+    ASSERT_EQ(rig_->stage.screen(), Screen::Editor);
+    EXPECT_TRUE(rig_->picture().says("Not saved."));
+    rig_->press(Command::Back);
+    EXPECT_EQ(rig_->stage.screen(), Screen::Levels);
+    EXPECT_FALSE(fs::exists(folder_ / "my_level.toml"));
+}
+
+TEST_F(EditorStage, ALevelOfTheGameIsCopied) {
+    const LevelList levels = StageRig::twoLevels().levels;
+    const EditorStart copy = editorOf(levels[0].get(), levels, folder_);
+    EXPECT_EQ(copy.level.name, levels[0]->name + "_own");
+    EXPECT_EQ(copy.save("x"), "");
+    EXPECT_EQ(editorOf(levels[0].get(), levels, folder_).level.name, levels[0]->name + "_own2");
+    Level own = *levels[0];
+    own.name += "_own";
+    EXPECT_EQ(editorOf(&own, levels, folder_).file, (folder_ / (own.name + ".toml")).string());
+}
+
+TEST_F(EditorStage, AFileIsEditedWhereverItIs) {
+    const auto fresh = editorOfFile(folder_ / "tower.toml");
+    ASSERT_TRUE(std::holds_alternative<EditorStart>(fresh));
+    EXPECT_EQ(std::get<EditorStart>(fresh).level, newLevel("tower"));
+    std::ofstream(folder_ / "bad.toml") << "format = 2\n";
+    EXPECT_TRUE(std::holds_alternative<std::string>(editorOfFile(folder_ / "bad.toml")));
+}
+
+TEST(ShareGame, TheResultsCopyALinkThatPlaysTheGame) {
+    std::vector<std::string> copied;
+    StageDef def = StageRig::playing();
+    def.copy = [&](const std::string& text) { copied.push_back(text); };
+    StageRig rig(std::move(def));
+    playToTheEnd(rig);
+    ASSERT_EQ(rig.stage.screen(), Screen::Over);
+    EXPECT_TRUE(rig.picture().says("C: copy a link to this game"));
+    Signals signals;
+    signals.presses = {{false, *keyNamed("C")}};
+    rig.frame(signals);
+    ASSERT_EQ(copied.size(), 1u);
+    const Read<ReplayRun> read = runOfLink(copied[0]);
+    ASSERT_TRUE(std::holds_alternative<ReplayRun>(read));
+    Playback playback(std::get<ReplayRun>(read)[0], StageRig::twoLevels().levels[0]);
+    while (!playback.done()) {
+        playback.tick();
+    }
+    EXPECT_EQ(playback.game().score(), rig.stage.game().score());
+    EXPECT_FALSE(playback.divergence());
+    EXPECT_TRUE(rig.picture().says("A link to the game is copied."));
+}
+
+TEST(ShareGame, TheLargestFallOfAReplayIsShownFromBeforeItToAfterIt) {
+    const auto level = std::make_shared<const Level>(std::get<Level>(loadLevel("arch")));
+    const Replay replay = recordedGame(level, 1);
+    const std::optional<Fall> fall = largestFall(replay, level);
+    ASSERT_TRUE(fall);
+    EXPECT_GT(fall->blocks, 3);
+    Rerun rerun = fall->rerun;
+    EXPECT_EQ(rerun.play().game().collapse().blocks, 0);
+    std::int32_t most = 0;
+    const std::uint32_t first = rerun.play().game().ticks();
+    for (double at = 0; at < rerun.seconds() - 0.05; at += 0.05) {
+        rerun.advance(0.05);
+        most = std::max(most, rerun.play().game().collapse().blocks);
+        EXPECT_GE(rerun.play().game().ticks(), first);
+    }
+    EXPECT_EQ(most, fall->blocks);
+    const auto glass = glassLevel("One block", {7});
+    EXPECT_FALSE(largestFall(recordedGame(glass, 1), glass));
+}
+
+TEST(ShareGame, ARivalIsTheGhostOfItsLevelAlone) {
+    StageDef def = StageRig::playing();
+    def.rival = recordedGame(def.levels[0], 5);
+    StageRig rig(def);
+    ASSERT_TRUE(rig.stage.ghost());
+    EXPECT_EQ(rig.stage.ghost()->game().seed(), 5u);
+    def.firstLevel = 1;
+    EXPECT_FALSE(StageRig(def).stage.ghost());
+    def.firstLevel = 0;
+    def.rival->levelDigest = 1; // of another content
+    EXPECT_FALSE(StageRig(def).stage.ghost());
+}
+
+TEST(DailyLine, SaysDayPointsLevelAndTime) {
+    EXPECT_EQ(dailyLine({20261126, 31250, 3, 102 * kTicksPerSecond}),
+              "aPart, daily run 2026-11-26: 31250 points, level 3, 1:42");
+    EXPECT_EQ(dailyLine({20260102, 0, 1, 0}),
+              "aPart, daily run 2026-01-02: 0 points, level 1, 0:00");
+}
+
+} // namespace
+} // namespace apart
