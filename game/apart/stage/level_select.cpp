@@ -77,11 +77,11 @@ Aabb LevelSelect::backPlace() const {
 }
 
 Aabb LevelSelect::editPlace() const {
-    return {{kTilesLeft + Real(4), Real(0.2)}, {kTilesLeft + Real(6), Real(1.2)}};
+    return {{kTilesLeft + Real(5.4), Real(0.2)}, {kTilesLeft + Real(7.4), Real(1.2)}};
 }
 
 Aabb LevelSelect::newPlace() const {
-    return {{kTilesLeft + Real(6), Real(0.2)}, {kTilesLeft + Real(8), Real(1.2)}};
+    return {{kTilesLeft + Real(7.5), Real(0.2)}, {kTilesLeft + Real(9.5), Real(1.2)}};
 }
 
 bool LevelSelect::wants(const Signals& signals, const Aabb& place, const char* key) {
@@ -299,7 +299,7 @@ void LevelSelect::drawFoot(Canvas& canvas, const Records& records) const {
     }
     const Aabb back = backPlace();
     canvas.text("\u2039 back (escape)", {back.lower.x, back.lower.y + Real(0.35)},
-                {Real(0.46), palette::kText, Typeface::Plain, Align::Left, Real(8)});
+                {Real(0.46), palette::kText, Typeface::Plain, Align::Left, Real(5.2)});
     const auto offer = [&](const Aabb& place, const char* text) {
         canvas.text(text, {place.lower.x, place.lower.y + Real(0.35)},
                     {Real(0.46), palette::kText, Typeface::Plain, Align::Left,
