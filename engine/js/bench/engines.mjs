@@ -77,7 +77,8 @@ async function rapier() {
 }
 
 async function planck() {
-  const pl = await load("planck");
+  const module = await load("planck");
+  const pl = module.default ?? module; // of a package in CommonJS
   return (scene) => {
     const world = new pl.World({ gravity: pl.Vec2(0, -10) });
     const bodies = scene.bodies.map((body) => {
