@@ -29,8 +29,8 @@ struct Tiles {
         own.filter = filter;
         world[floor].setPart(part, own);
     }
-    void run() {
-        for (int i = 0; i < 90; ++i) {
+    void run(int steps = 90) {
+        for (int i = 0; i < steps; ++i) {
             world.step(kStep);
         }
     }
@@ -64,10 +64,11 @@ TEST(PartFilter, ReplacesThatOfTheBody) {
     tiles.set(1, {.flags = kMatchAny, .required = kRed});
     EXPECT_EQ(tiles.world[tiles.floor].filter(0).flags, kMatchAny);
     EXPECT_EQ(tiles.world[tiles.floor].filter(1).required, kRed);
+    tiles.run(40); // it has landed, and does not sleep yet
+    EXPECT_EQ(tiles.world.collisions(tiles.right).at(0).partA, 1u);
     tiles.run();
     EXPECT_FALSE(tiles.lies(tiles.left));
     EXPECT_TRUE(tiles.lies(tiles.right));
-    EXPECT_EQ(tiles.world.collisions(tiles.right).at(0).partA, 1u);
     tiles.world[tiles.floor].setFlags(kDisabled); // flags of the engine count for all parts
     tiles.run();
     EXPECT_FALSE(tiles.lies(tiles.right));
