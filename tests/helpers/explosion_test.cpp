@@ -90,6 +90,32 @@ TEST(Explosion, ReachesAllSidesOfARingAroundIt) {
     EXPECT_LT(world[ring].mass() * length(world[ring].velocity()), 1.2);
 }
 
+// A part may be a sensor by its own filter; the rest of its body covers, and is pushed.
+TEST(Explosion, AsksTheFilterOfEachPart) {
+    const auto pushed = [](std::size_t sensor) {
+        World world;
+        const BodyId gate = world.add({.shape = Compound{{Box{Real(0.2), 4}, Box{1, 1, {0, 9}}}},
+                                       .position = {1, 0},
+                                       .type = BodyType::Static});
+        Part part = world[gate].part(sensor);
+        part.filter = CollisionFilter{kSensor};
+        world[gate].setPart(sensor, part);
+        world.add({.shape = Box{1, 1}, .position = {3, 0}});
+        return explode(world, {.radius = 5}).size();
+    };
+    EXPECT_EQ(pushed(0), 1u);
+    EXPECT_EQ(pushed(1), 0u);
+
+    World world;
+    const BodyId body = world.add({.shape = Compound{{Circle{4}, Box{1, 1}}}, .position = {3, 0}});
+    Part aura = world[body].part(0);
+    aura.filter = CollisionFilter{kSensor};
+    world[body].setPart(0, aura);
+    const auto hits = explode(world, {.radius = 5}); // within the aura
+    ASSERT_EQ(hits.size(), 1u);
+    EXPECT_NEAR(hits[0].point.x, 2.5, 0.01);
+}
+
 TEST(Explosion, RefusesBadNumbers) {
     World world;
     const BodyId body = world.add({.position = {1, 0}});

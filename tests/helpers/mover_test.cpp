@@ -251,6 +251,22 @@ TEST(Mover, PassesALedgeFromBelowAndLandsOnIt) {
     }
 }
 
+TEST(Mover, PassesPartsThatAreSensorsAndStopsAtTheRestOfTheirBody) {
+    World world;
+    addStatic(world, Plane{});
+    const BodyId gate = world.add(
+        {.shape = Compound{{Box{1, 6, {0, 0}}, Box{1, 6, {4, 0}}}}, .type = BodyType::Static});
+    Part open = world[gate].part(0);
+    open.filter = CollisionFilter{kSensor};
+    world[gate].setPart(0, open);
+    Mover mover = standing(world, kShapes[0], {-3, 1});
+    for (int i = 0; i < 180; ++i) {
+        tick(world, mover, 4);
+    }
+    EXPECT_NEAR(mover.position.x, 3.1, 0.02); // side of the second part, less radius and skin
+    EXPECT_LT(mover.wallNormal.x, 0);
+}
+
 TEST(Mover, RefusesBadNumbersAndChangesNothing) {
     World world;
     const auto refused = [&](Mover mover) {

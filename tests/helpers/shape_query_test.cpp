@@ -45,6 +45,21 @@ TEST(RaySpans, OfFlushBoxesJoin) {
     EXPECT_NEAR(inside, 10, 1e-4);
 }
 
+TEST(Queries, MayLeaveOutPartsThatAreSensors) {
+    World world;
+    const BodyId body = world.add({.shape = Compound{{Circle{1}, Circle{1, {5, 0}}}}});
+    Part part = world[body].part(0);
+    part.filter = CollisionFilter{kSensor};
+    world[body].setPart(0, part);
+    EXPECT_EQ(rayCast(world, {-5, 0}, {9, 0})->part, 0);
+    EXPECT_EQ(rayCast(world, {-5, 0}, {9, 0}, {.flags = kNoSensors})->part, 1);
+    world[body].setFlags(kSensor);
+    EXPECT_TRUE(overlap(world, Circle{9}, {}, {.flags = kNoSensors}).empty());
+    EXPECT_EQ(overlap(world, Circle{9}, {}).size(), 1u);
+    EXPECT_THROW(overlap(world, Circle{9}, {}, {.flags = kSensor}), BadDefinition);
+    EXPECT_THROW(world.applyForceToAll({1, 0}, {.flags = kNoSensors}), BadDefinition);
+}
+
 /// The first of many poses along the way at which the shape overlaps the target.
 Real sampled(const World& world, const ShapeCast& cast, int count) {
     for (int i = 0; i <= count; ++i) {

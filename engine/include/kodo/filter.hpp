@@ -37,11 +37,13 @@ inline constexpr Flags kMatchAny = 1u << 28;   // at least one of the required f
 inline constexpr Flags kMatchAll = 1u << 29;   // all of them are set
 inline constexpr Flags kMatchEqual = 1u << 30; // exactly these are set
 inline constexpr Flags kMatchModes = kMatchNone | kMatchAny | kMatchAll | kMatchEqual;
+/// Of queries alone: parts that are sensors are left out.
+inline constexpr Flags kNoSensors = 1u << 25;
 
 /// Decides which bodies collide, or which ones a query or a field concerns [Thesis06, 4.1.6].
 struct CollisionFilter {
     /// At most one of kMatchModes. Of a body also its user flags; queries, fields and forces on all
-    /// bodies refuse these.
+    /// bodies refuse these. Of a query also kNoSensors.
     Flags flags = 0;
     Flags required = 0; // user flags that the mode compares with those of the other
     /// Comes before the mode: bodies of one group collide if it is > 0, and do not if it is < 0. 0

@@ -11,6 +11,7 @@ namespace {
 
 constexpr int kRays = 32;                           // for each body
 constexpr Real kHalfTurn = Real(3.141592653589793); // rad
+constexpr CollisionFilter kSolid{.flags = kNoSensors};
 
 void require(const Explosion& explosion) {
     const auto refuse = [](const char* field, const char* reason, Real value) {
@@ -41,6 +42,9 @@ struct Sight {
         }
         for (std::size_t i = 0; i < body.partCount(); ++i) {
             const ConvexShape& convex = body.part(i).convex;
+            if ((body.filter(i).flags & kSensor) != 0) {
+                continue;
+            }
             for (const Vec2 vertex : convex.vertices) {
                 const Vec2 way = body.massFrame() * vertex - from;
                 const Real clear =
@@ -78,7 +82,7 @@ ExplosionHit push(const Explosion& explosion, World& world, BodyId id,
         const Real angle = sight.least + (static_cast<Real>(i) + Real(0.5)) * between;
         const Vec2 direction = Rot::fromAngle(angle) * sight.middle;
         const Vec2 from = explosion.center;
-        const auto first = rayCast(world, from, from + reach * direction, {}, except);
+        const auto first = rayCast(world, from, from + reach * direction, kSolid, except);
         if (!first || first->body != id) {
             continue;
         }
@@ -106,14 +110,11 @@ std::vector<ExplosionHit> explode(World& world, const Explosion& explosion) {
     require(explosion);
     const Circle disc{explosion.radius + explosion.falloff, {}};
     const Transform at{explosion.center, {}};
-    std::vector<BodyId> except; // no cover
-    for (const BodyId id : overlap(world, disc, at)) {
-        if ((world[id].flags() & kSensor) != 0 || world[id].contains(explosion.center)) {
-            except.push_back(id);
-        }
-    }
+    const std::vector<BodyId> except = overlap(world, Point{}, at, kSolid); // no cover
+    CollisionFilter which = explosion.which;
+    which.flags |= kNoSensors;
     std::vector<ExplosionHit> hits;
-    for (const BodyId id : overlap(world, disc, at, explosion.which, except)) {
+    for (const BodyId id : overlap(world, disc, at, which, except)) {
         if (world[id].type() == BodyType::Dynamic) {
             const ExplosionHit hit = push(explosion, world, id, except);
             if (hit.width > 0) {

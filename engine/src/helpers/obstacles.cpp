@@ -13,17 +13,13 @@ Obstacles::Obstacles(const World& world, const Mover& mover)
       convex_(convexShapeOf(mover.shape, {})),
       cast_{.shape = shapeOf(mover.shape),
             .start = {mover.position, {}},
-            .atStart = StartOverlap::Normal} {}
+            .atStart = StartOverlap::Normal},
+      which_{mover.which.flags | kNoSensors, mover.which.required, mover.which.group},
+      except_{mover.body} {}
 
 void Obstacles::findNear(Real reach) {
-    const Aabb box = boundsOf(convex_, cast_.start).grown(reach);
-    for (const BodyId id : overlap(world_, box, mover_.which)) {
-        if (id == mover_.body || (world_[id].flags() & kSensor) != 0) {
-            except_.push_back(id);
-        } else {
-            isAlone_ = false;
-        }
-    }
+    isAlone_ =
+        overlap(world_, boundsOf(convex_, cast_.start).grown(reach), which_, except_).empty();
 }
 
 std::optional<QueryHit> Obstacles::cast(Vec2 way) {
@@ -31,7 +27,7 @@ std::optional<QueryHit> Obstacles::cast(Vec2 way) {
         return std::nullopt;
     }
     cast_.displacement = way;
-    auto hit = shapeCast(world_, cast_, mover_.which, except_);
+    auto hit = shapeCast(world_, cast_, which_, except_);
     if (hit && hit->normal == Vec2{}) {
         hit->normal = -normalize(way);
     }
@@ -63,7 +59,7 @@ std::optional<QueryHit> Obstacles::advance(Vec2 way, Real& moved) {
 
 std::vector<QueryContact> Obstacles::touches(Real margin) const {
     return isAlone_ ? std::vector<QueryContact>{}
-                    : collide(world_, cast_.shape, cast_.start, margin, mover_.which, except_);
+                    : collide(world_, cast_.shape, cast_.start, margin, which_, except_);
 }
 
 std::optional<Vec2> Obstacles::groundOf(const QueryHit& hit) const {
@@ -76,7 +72,7 @@ std::optional<Vec2> Obstacles::groundOf(const QueryHit& hit) const {
     }
     const Vec2 beside = hit.point - mover_.skin * normalize(hit.normal - lift * mover_.up);
     const Vec2 above = 2 * mover_.skin * mover_.up;
-    const auto below = rayCast(world_, beside + above, beside - above, mover_.which, except_);
+    const auto below = rayCast(world_, beside + above, beside - above, which_, except_);
     const bool isGround = below && below->body == hit.body && isFlat(below->normal);
     return isGround ? std::optional(below->normal) : std::nullopt;
 }

@@ -18,7 +18,7 @@ public:
 
     Vec2 at() const { return cast_.start.position; } // m
     void setAt(Vec2 at) { cast_.start.position = at; }
-    /// Lists what is within `reach` (m) and does not block: sensors and the mover's own body.
+    /// Finds out whether anything is within `reach` (m).
     void findNear(Real reach);
     /// Leaves out one more body in the calls of advance().
     void except(BodyId id) { except_.push_back(id); }
@@ -45,6 +45,7 @@ private:
     ConvexShape convex_;
     ShapeCast cast_;
     bool isAlone_ = true;
+    CollisionFilter which_; // no sensors
     std::vector<BodyId> except_;
 };
 

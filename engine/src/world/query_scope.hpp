@@ -72,7 +72,7 @@ public:
           parts_(world.impl().partData()),
           which_(which),
           except_(bodies_, except) {
-        refuse(checkFilter(which));
+        refuse(checkFilter({which.flags & ~kNoSensors, which.required, which.group}));
     }
 
     BodyId idOf(std::uint32_t body) const { return bodies_.idAt(body); }
@@ -110,6 +110,7 @@ private:
     bool isAsked(const PartBounds::Part& part) const {
         const CollisionFilter filter = filterOf(bodies_, part.body, part.part);
         return (filter.flags & kDisabled) == 0 && accepts(which_, filter) &&
+               ((filter.flags & kSensor) == 0 || (which_.flags & kNoSensors) == 0) &&
                !except_.contains(part.body);
     }
 
