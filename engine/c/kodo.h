@@ -169,6 +169,7 @@ enum {
     KODO_SENSOR = 1 << 22,      // detects overlap, without any response
     KODO_FROZEN = 1 << 23,      // status: see kodo_frozenBodies()
     KODO_OUTSIDE = 1 << 24,     // status: outside the region
+    KODO_NO_SENSORS = 1 << 25,  // of queries alone: parts that are sensors are left out
     KODO_MATCH_NONE = 1 << 27,  // none of the required flags is set
     KODO_MATCH_ANY = 1 << 28,   // at least one of the required flags is set
     KODO_MATCH_ALL = 1 << 29,   // all of them are set
@@ -177,7 +178,7 @@ enum {
 
 /// Which bodies a query or a field concerns. All zero: all.
 typedef struct kodo_Filter {
-    kodo_Flags flags;    // at most one of KODO_MATCH_NONE to KODO_MATCH_EQUAL
+    kodo_Flags flags;    // at most one of KODO_MATCH_NONE to KODO_MATCH_EQUAL; KODO_NO_SENSORS
     kodo_Flags required; // user flags that the mode compares with those of a body
     int32_t group;       // before the mode: > 0 finds the bodies of the group, < 0 leaves them out
 } kodo_Filter;
@@ -1163,6 +1164,13 @@ typedef struct kodo_PlacedShape {
     kodo_Transform at;
 } kodo_PlacedShape;
 
+/// The same with the distance at which parts count as near.
+typedef struct kodo_NearShape {
+    const kodo_Shape* shape;
+    kodo_Transform at;
+    kodo_Real margin; // m, >= 0
+} kodo_NearShape;
+
 typedef struct kodo_QueryHit {
     bool found; // false: nothing was hit, and the rest is 0
     kodo_BodyId body;
@@ -1181,6 +1189,55 @@ typedef struct kodo_QueryPoint {
     kodo_Real distance; // m; 0 inside
 } kodo_QueryPoint;
 
+/// The span of a ray within a part.
+typedef struct kodo_RaySpan {
+    kodo_QueryHit entry;    // as of kodo_rayCastAll()
+    kodo_Real exitFraction; // 0 to 1 of the ray; 1 if it ends within the part
+    kodo_Vec2 exitPoint;    // m
+    kodo_Vec2 exitNormal;   // unit, out of the body; zero if the ray ends within the part
+} kodo_RaySpan;
+
+/// Where a shape touches or nearly touches a part.
+typedef struct kodo_QueryContact {
+    kodo_BodyId body;
+    uint16_t part;
+    kodo_Vec2 point;      // m; halfway between the surfaces
+    kodo_Vec2 normal;     // unit, out of the body
+    kodo_Real separation; // m, along the normal; < 0 in overlap
+} kodo_QueryContact;
+
+typedef struct kodo_ClosestPoints {
+    kodo_Vec2 onA;      // m
+    kodo_Vec2 onB;      // m; equal to onA in overlap
+    kodo_Vec2 normal;   // unit, from a to b; zero in overlap
+    kodo_Real distance; // m; 0 in overlap
+} kodo_ClosestPoints;
+
+/// What a cast does with a part that its shape overlaps or touches at the start.
+typedef uint8_t kodo_StartOverlap;
+enum {
+    KODO_START_REPORT = 0, // a hit with fraction 0 and a zero normal
+    KODO_START_NORMAL = 1, // with the normal of least overlap; no hit if it leads outwards
+    KODO_START_IGNORE = 2  // no hit: the shape passes
+};
+
+/// A shape that moves and turns at constant rates. By default a disc of 0.5 m that rests.
+typedef struct kodo_CastDef {
+    kodo_Head head;
+    kodo_Shape shape;
+    kodo_Transform start;
+    kodo_Vec2 displacement; // m, of the origin of the shape's frame
+    kodo_Real angle;        // rad, about this origin, counter-clockwise; size up to 100
+    kodo_StartOverlap atStart;
+} kodo_CastDef;
+
+KODO_C_API kodo_Status kodo_initCastDef(kodo_CastDef* def, kodo_Head head);
+static inline kodo_CastDef kodo_castDef(void) {
+    kodo_CastDef def;
+    kodo_initCastDef(&def, kodo_headOf(sizeof(kodo_CastDef)));
+    return def;
+}
+
 /// Return false to stop the visit. A change of the World from within is refused.
 typedef bool (*kodo_VisitHit)(void* context, const kodo_QueryHit* hit);
 typedef bool (*kodo_VisitBody)(void* context, kodo_BodyId body);
@@ -1192,12 +1249,23 @@ KODO_C_API kodo_Status kodo_rayCast(const kodo_World* world, kodo_Ray ray, const
 KODO_C_API kodo_Status kodo_rayCastAll(const kodo_World* world, kodo_Ray ray,
                                        const kodo_Query* query, kodo_QueryHit* hits,
                                        size_t capacity, size_t* count);
+/// The same parts with the points where the ray leaves them.
+KODO_C_API kodo_Status kodo_raySpans(const kodo_World* world, kodo_Ray ray, const kodo_Query* query,
+                                     kodo_RaySpan* spans, size_t capacity, size_t* count);
 KODO_C_API kodo_Status kodo_visitRay(const kodo_World* world, kodo_Ray ray, const kodo_Query* query,
                                      kodo_VisitHit visit, void* context);
 /// The first part that a shape meets when it moves by a displacement without rotation.
 KODO_C_API kodo_Status kodo_shapeCast(const kodo_World* world, const kodo_PlacedShape* start,
                                       kodo_Vec2 displacement, const kodo_Query* query,
                                       kodo_QueryHit* hit);
+/// The first part that a shape meets when it moves and turns. With an angle it stops less than a
+/// quarter of the slop before the part.
+KODO_C_API kodo_Status kodo_castShape(const kodo_World* world, const kodo_CastDef* def,
+                                      const kodo_Query* query, kodo_QueryHit* hit);
+/// The deepest contact of a shape with each part nearer than the margin, ordered by id and part.
+KODO_C_API kodo_Status kodo_collide(const kodo_World* world, const kodo_NearShape* placed,
+                                    const kodo_Query* query, kodo_QueryContact* contacts,
+                                    size_t capacity, size_t* count);
 /// Bodies that overlap or touch a box or a shape, in the order of ids.
 KODO_C_API kodo_Status kodo_overlapBox(const kodo_World* world, kodo_Aabb box,
                                        const kodo_Query* query, kodo_BodyId* ids, size_t capacity,
@@ -1212,6 +1280,85 @@ KODO_C_API kodo_Status kodo_visitOverlaps(const kodo_World* world, const kodo_Pl
 KODO_C_API kodo_Status kodo_closestPoint(const kodo_World* world, kodo_Vec2 point,
                                          kodo_Real maxDistance, const kodo_Query* query,
                                          kodo_QueryPoint* closest);
+/// The point of one body closest to a point, however far.
+KODO_C_API kodo_Status kodo_closestPointOf(const kodo_World* world, kodo_BodyId id, kodo_Vec2 point,
+                                           kodo_QueryPoint* closest);
+/// The closest points of two bodies.
+KODO_C_API kodo_Status kodo_distance(const kodo_World* world, kodo_BodyId a, kodo_BodyId b,
+                                     kodo_ClosestPoints* points);
+/// The bodies that touched a body in the last step, awake or asleep, in the order of ids. Of a
+/// sensor: what it holds. Not on two threads at once.
+KODO_C_API kodo_Status kodo_touching(const kodo_World* world, kodo_BodyId id, kodo_BodyId* ids,
+                                     size_t capacity, size_t* count);
+
+// Characters and explosions.
+
+/// A character that is moved by casts instead of forces. It walks on slopes, climbs steps, stays on
+/// the ground over crests, and rides on moving bodies. A value: copy it with the World to go back
+/// to both. Corners of a polygon must stay where they are.
+typedef struct kodo_Mover {
+    kodo_Head head;
+    kodo_Shape shape;     // never turns; by default a capsule 1.4 m high; convex, no plane
+    kodo_Vec2 position;   // m, world: of the shape's frame; set it to teleport
+    kodo_Vec2 up;         // unit
+    kodo_Real slopeLimit; // rad, 0 to 1.5: steepest ground that it stands on
+    kodo_Real stepHeight; // m: of steps that it climbs, and descends without a fall
+    kodo_Real skin;       // m, > 0: gap that it keeps from everything
+    kodo_Real pushForce;  // N: largest force on a dynamic body in its way
+    kodo_Real weight;     // N, on a dynamic body below it
+    kodo_Filter which;    // what blocks it; sensors never do
+    kodo_BodyId body;     // a kinematic body that follows, one step late; all zero: none
+
+    // Results of the last move.
+
+    kodo_Vec2 velocity;     // m/s; on the ground relative to it, and across `up`; else in the world
+    bool grounded;          // on ground up to slopeLimit, or wedged between steeper slopes
+    kodo_Vec2 groundNormal; // unit, out of the ground; zero in the air
+    kodo_BodyId groundBody; // all zero in the air
+    kodo_Transform groundPose; // of groundBody then
+    kodo_Vec2 wallNormal;      // unit, out of what stopped it sideways; zero if nothing did
+} kodo_Mover;
+
+KODO_C_API kodo_Status kodo_initMover(kodo_Mover* mover, kodo_Head head);
+static inline kodo_Mover kodo_mover(void) {
+    kodo_Mover mover;
+    kodo_initMover(&mover, kodo_headOf(sizeof(kodo_Mover)));
+    return mover;
+}
+/// Moves for dt (s) after kodo_step(), with a wished velocity (m/s). With a part along `up` the
+/// mover jumps, with the velocity of the ground. Else, on the ground, the part across `up` is the
+/// speed along the ground. Gravity may be added always.
+KODO_C_API kodo_Status kodo_moveMover(kodo_World* world, kodo_Mover* mover, kodo_Vec2 wish,
+                                      kodo_Real dt);
+
+/// A blast that pushes the sides of bodies that it sees.
+typedef struct kodo_Explosion {
+    kodo_Head head;
+    kodo_Vec2 center;  // m, world
+    kodo_Real radius;  // m, > 0: up to here at full strength; 1 by default
+    kodo_Real falloff; // m, >= 0: from there on the strength falls to 0 over this distance
+    kodo_Real impulse; // N s for each metre of a side, seen from the centre; < 0 pulls
+    kodo_Filter which; // bodies that it pushes; all others but sensors are a cover too
+} kodo_Explosion;
+
+/// A body that was pushed.
+typedef struct kodo_ExplosionHit {
+    kodo_BodyId body;
+    kodo_Vec2 point;   // m, world; the closest point that was reached
+    kodo_Vec2 impulse; // N s
+    kodo_Real width;   // m, across the rays: of what was reached
+} kodo_ExplosionHit;
+
+KODO_C_API kodo_Status kodo_initExplosion(kodo_Explosion* explosion, kodo_Head head);
+static inline kodo_Explosion kodo_explosion(void) {
+    kodo_Explosion explosion;
+    kodo_initExplosion(&explosion, kodo_headOf(sizeof(kodo_Explosion)));
+    return explosion;
+}
+/// Pushes all dynamic bodies in reach, and lists them in the order of ids. Each call pushes, also
+/// one with capacity 0.
+KODO_C_API kodo_Status kodo_explode(kodo_World* world, const kodo_Explosion* explosion,
+                                    kodo_ExplosionHit* hits, size_t capacity, size_t* count);
 
 // Drawing.
 

@@ -11,7 +11,7 @@ export {
 } from "./memory.js";
 export const {
   ShapeKind, BodyType, MixRule, SolverKind, Features, Profile, JointKind, AttractorLaw, FieldKind,
-  TouchPhase, Flags,
+  StartOverlap, TouchPhase, Flags,
 } = layout;
 
 export const version = wasm.kodo_version();

@@ -24,7 +24,7 @@ BY_HAND = (
     "createWorld copyWorld assignWorld destroyWorld createThreadPool destroyThreadPool step stepWorlds"
     " poses velocities applyLoads setVelocities visitRay visitOverlaps draw fromBytes part decompose"
     " addBody addJoint joint setJoint addField setFields setSettings region setRegion bodyState"
-    " containsBody worldSettings"
+    " containsBody worldSettings moveMover explode"
 ).split()
 
 

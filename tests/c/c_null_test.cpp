@@ -101,6 +101,7 @@ TEST_F(CNull, CallsOfJointsFieldsAndQueriesRefuseNullPointers) {
     const kodo_Shape shape = kodo_circle(1);
     const kodo_PlacedShape placed{&shape, {{0, 0}, {1, 0}}};
     const kodo_PlacedShape shapeless{nullptr, {{0, 0}, {1, 0}}};
+    const kodo_NearShape near{&shape, {{0, 0}, {1, 0}}, 1};
     const kodo_Ray ray{{0, 0}, {1, 0}};
     refused("id", kodo_addJoint(world_, &joint, nullptr));
     refused("count", kodo_joints(world_, nullptr, 0, nullptr));
@@ -113,6 +114,12 @@ TEST_F(CNull, CallsOfJointsFieldsAndQueriesRefuseNullPointers) {
     refused("shape.shape", kodo_overlapShape(world_, &shapeless, nullptr, nullptr, 0, &count_));
     refused("visit", kodo_visitOverlaps(world_, &placed, nullptr, nullptr, nullptr));
     refused("closest", kodo_closestPoint(world_, {}, 1, nullptr, nullptr));
+    refused("closest", kodo_closestPointOf(world_, id_, {}, nullptr));
+    refused("points", kodo_distance(world_, id_, id_, nullptr));
+    refused("def", kodo_castShape(world_, nullptr, nullptr, nullptr));
+    refused("count", kodo_raySpans(world_, ray, nullptr, nullptr, 0, nullptr));
+    refused("count", kodo_collide(world_, &near, nullptr, nullptr, 0, nullptr));
+    refused("count", kodo_touching(world_, id_, nullptr, 0, nullptr));
 }
 
 TEST_F(CNull, ArraysOfShapesAreRefusedAsNull) {

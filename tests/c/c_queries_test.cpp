@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "c_world.hpp"
@@ -80,6 +81,109 @@ TEST(CQueries, AMovingShapeHitsTheFirstBody) {
     EXPECT_OK(kodo_shapeCast(row.world, &start, kodo_vec2(10, 0), nullptr, &hit));
     EXPECT_TRUE(hit.found);
     EXPECT_NEAR(0.4, hit.fraction, 1e-3);
+}
+
+TEST(CQueries, SpansOfARayEndWhereItLeaves) {
+    const Row row;
+    std::array<kodo_RaySpan, 3> spans{};
+    std::size_t count = 0;
+    EXPECT_OK(kodo_raySpans(row.world, kRay, nullptr, spans.data(), spans.size(), &count));
+    ASSERT_EQ(3u, count);
+    EXPECT_TRUE(kodo_sameBody(row.ids[1], spans[1].entry.body));
+    EXPECT_NEAR(0.65, spans[1].entry.fraction, 1e-5);
+    EXPECT_NEAR(0.75, spans[1].exitFraction, 1e-5);
+    EXPECT_NEAR(2.5, spans[1].exitPoint.x, 1e-5);
+    EXPECT_NEAR(1, spans[1].exitNormal.x, 1e-5);
+}
+
+TEST(CQueries, ATurningCastMeetsWhatItSweepsOver) {
+    const Row row;
+    kodo_CastDef cast = kodo_castDef();
+    cast.shape = kodo_capsule(kodo_vec2(0, 0), kodo_vec2(0, 3), kodo_Real(0.1));
+    kodo_Query query = kodo_query();
+    query.except = row.ids.data();
+    query.exceptCount = 1;
+    kodo_QueryHit hit{};
+    EXPECT_OK(kodo_castShape(row.world, &cast, &query, &hit));
+    EXPECT_FALSE(hit.found);
+    cast.angle = -2; // clockwise, from upright to the right
+    EXPECT_OK(kodo_castShape(row.world, &cast, &query, &hit));
+    EXPECT_TRUE(kodo_sameBody(row.ids[1], hit.body));
+    // The capsule meets the disc at 2 m when 2 cos(a) = 0.5 + 0.1.
+    EXPECT_NEAR(std::acos(0.3) / 2, hit.fraction, 2e-3);
+    kodo::World other = cppWorld(0);
+    for (int i = 0; i < 3; ++i) {
+        other.add({.position = {static_cast<kodo::Real>(2 * i), 0}});
+    }
+    const auto expected = kodo::shapeCast(
+        other,
+        kodo::ShapeCast{.shape = kodo::Capsule{{0, 0}, {0, 3}, kodo::Real(0.1)}, .angle = -2}, {},
+        std::vector{other.bodies()[0]});
+    EXPECT_EQ(expected->fraction, hit.fraction);
+}
+
+TEST(CQueries, ACastDoesWithTheStartWhatItIsTold) {
+    const Row row;
+    kodo_CastDef cast = kodo_castDef();
+    cast.start.position = kodo_vec2(kodo_Real(-0.9), 0);
+    cast.displacement = kodo_vec2(kodo_Real(0.5), 0);
+    kodo_QueryHit hit{};
+    EXPECT_OK(kodo_castShape(row.world, &cast, nullptr, &hit));
+    EXPECT_TRUE(hit.found);
+    EXPECT_EQ(0, hit.normal.x);
+    cast.atStart = KODO_START_NORMAL;
+    EXPECT_OK(kodo_castShape(row.world, &cast, nullptr, &hit));
+    EXPECT_NEAR(-1, hit.normal.x, 1e-5);
+    cast.atStart = KODO_START_IGNORE;
+    EXPECT_OK(kodo_castShape(row.world, &cast, nullptr, &hit));
+    EXPECT_FALSE(hit.found);
+    cast.atStart = 3;
+    EXPECT_EQ(KODO_BAD_DEFINITION, kodo_castShape(row.world, &cast, nullptr, &hit));
+    cast = {};
+    EXPECT_EQ(KODO_WRONG_USE, kodo_castShape(row.world, &cast, nullptr, &hit));
+}
+
+TEST(CQueries, ContactsAreThoseNearerThanTheMargin) {
+    const Row row;
+    const kodo_Shape disc = kodo_circle(kodo_Real(0.5));
+    kodo_NearShape placed{&disc, {{kodo_Real(-1.2), 0}, {1, 0}}, 1};
+    std::array<kodo_QueryContact, 3> contacts{};
+    std::size_t count = 0;
+    EXPECT_OK(kodo_collide(row.world, &placed, nullptr, contacts.data(), 3, &count));
+    ASSERT_EQ(1u, count);
+    EXPECT_TRUE(kodo_sameBody(row.ids[0], contacts[0].body));
+    EXPECT_NEAR(0.2, contacts[0].separation, 1e-5);
+    EXPECT_NEAR(-0.6, contacts[0].point.x, 1e-5);
+    EXPECT_NEAR(-1, contacts[0].normal.x, 1e-5);
+    placed.margin = kodo_Real(0.1);
+    EXPECT_OK(kodo_collide(row.world, &placed, nullptr, nullptr, 0, &count));
+    EXPECT_EQ(0u, count);
+}
+
+TEST(CQueries, DistancesOfGivenBodies) {
+    const Row row;
+    kodo_QueryPoint closest{};
+    EXPECT_OK(kodo_closestPointOf(row.world, row.ids[2], kodo_vec2(0, 0), &closest));
+    EXPECT_TRUE(closest.found);
+    EXPECT_NEAR(3.5, closest.distance, 1e-5);
+    EXPECT_NEAR(3.5, closest.point.x, 1e-5);
+    kodo_ClosestPoints points{};
+    EXPECT_OK(kodo_distance(row.world, row.ids[0], row.ids[2], &points));
+    EXPECT_NEAR(3, points.distance, 1e-5);
+    EXPECT_NEAR(0.5, points.onA.x, 1e-5);
+    EXPECT_NEAR(3.5, points.onB.x, 1e-5);
+    EXPECT_NEAR(1, points.normal.x, 1e-5);
+    EXPECT_EQ(KODO_BAD_ID, kodo_distance(row.world, row.ids[0], {}, &points));
+}
+
+TEST(CQueries, SensorsMayBeLeftOut) {
+    const Row row;
+    EXPECT_OK(kodo_setFlags(row.world, row.ids[0], KODO_SENSOR));
+    kodo_Query query = kodo_query();
+    query.which.flags = KODO_NO_SENSORS;
+    kodo_QueryHit hit{};
+    EXPECT_OK(kodo_rayCast(row.world, kRay, &query, &hit));
+    EXPECT_TRUE(kodo_sameBody(row.ids[1], hit.body));
 }
 
 TEST(CQueries, OverlapsAreListedInTheOrderOfIds) {

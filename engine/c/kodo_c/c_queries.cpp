@@ -3,9 +3,13 @@
 #include <kodo_c/c_values.hpp>
 
 #include <stdexcept>
+#include <variant>
 
 namespace kodo_c {
 namespace {
+
+static_assert(KODO_START_NORMAL == static_cast<int>(kodo::StartOverlap::Normal));
+static_assert(KODO_START_IGNORE == static_cast<int>(kodo::StartOverlap::Ignore));
 
 /// What a query of the caller says, or what a null pointer means.
 struct Selection {
@@ -21,7 +25,8 @@ Selection selectionOf(const kodo_Query* query) {
     return {fromC(given.which), listFromC(itemsOf(given.except, given.exceptCount, "except"))};
 }
 
-kodo::Shape shapeFromC(const kodo_PlacedShape* placed) {
+template <typename Placed>
+kodo::Shape shapeFromC(const Placed* placed) {
     return fromC(required(required(placed, "shape").shape, "shape.shape"));
 }
 
@@ -36,6 +41,21 @@ void requireFunction(bool present) {
 kodo_QueryHit toC(const kodo::QueryHit& hit) {
     const auto& [body, part, fraction, point, normal] = hit;
     return {true, toC(body), part, fraction, toC(point), toC(normal)};
+}
+
+kodo_QueryPoint toC(const kodo::QueryPoint& closest) {
+    const auto& [body, part, point, normal, distance] = closest;
+    return {true, toC(body), part, toC(point), toC(normal), distance};
+}
+
+kodo_RaySpan toC(const kodo::RaySpan& span) {
+    const auto& [entry, exitFraction, exitPoint, exitNormal] = span;
+    return {toC(entry), exitFraction, toC(exitPoint), toC(exitNormal)};
+}
+
+kodo_QueryContact toC(const kodo::QueryContact& contact) {
+    const auto& [body, part, point, normal, separation] = contact;
+    return {toC(body), part, toC(point), toC(normal), separation};
 }
 
 } // namespace kodo_c
@@ -65,6 +85,15 @@ kodo_Status kodo_rayCastAll(const kodo_World* world, kodo_Ray ray, const kodo_Qu
     });
 }
 
+kodo_Status kodo_raySpans(const kodo_World* world, kodo_Ray ray, const kodo_Query* query,
+                          kodo_RaySpan* spans, size_t capacity, size_t* count) {
+    return guarded([&] {
+        const auto [which, except] = selectionOf(query);
+        writeList(kodo::raySpans(worldOf(world), fromC(ray.from), fromC(ray.to), which, except),
+                  spans, capacity, count);
+    });
+}
+
 kodo_Status kodo_visitRay(const kodo_World* world, kodo_Ray ray, const kodo_Query* query,
                           kodo_VisitHit visit, void* context) {
     return guarded([&] {
@@ -90,6 +119,45 @@ kodo_Status kodo_shapeCast(const kodo_World* world, const kodo_PlacedShape* star
         const std::optional<kodo::QueryHit> found = kodo::shapeCast(
             worldOf(world), shape, fromC(start->at), fromC(displacement), which, except);
         required(hit, "hit") = found ? toC(*found) : kodo_QueryHit{};
+    });
+}
+
+kodo_Status kodo_initCastDef(kodo_CastDef* def, kodo_Head head) {
+    return guarded([&] {
+        initialise(def, head, "kodo_CastDef");
+        const auto [shape, start, displacement, angle, atStart] = kodo::ShapeCast{};
+        def->shape = kodo_circle(std::get<kodo::Circle>(shape).radius);
+        def->start = toC(start);
+        def->displacement = toC(displacement);
+        def->angle = angle;
+        def->atStart = static_cast<kodo_StartOverlap>(atStart);
+    });
+}
+
+kodo_Status kodo_castShape(const kodo_World* world, const kodo_CastDef* def,
+                           const kodo_Query* query, kodo_QueryHit* hit) {
+    return guarded([&] {
+        const auto [which, except] = selectionOf(query);
+        const kodo_CastDef& given = checked(def, "def", "kodo_CastDef");
+        requireKind(given.atStart, KODO_START_IGNORE + 1, "def.atStart");
+        const kodo::ShapeCast cast{fromC(given.shape), fromC(given.start),
+                                   fromC(given.displacement), given.angle,
+                                   static_cast<kodo::StartOverlap>(given.atStart)};
+        const std::optional<kodo::QueryHit> found =
+            kodo::shapeCast(worldOf(world), cast, which, except);
+        required(hit, "hit") = found ? toC(*found) : kodo_QueryHit{};
+    });
+}
+
+kodo_Status kodo_collide(const kodo_World* world, const kodo_NearShape* placed,
+                         const kodo_Query* query, kodo_QueryContact* contacts, size_t capacity,
+                         size_t* count) {
+    return guarded([&] {
+        const auto [which, except] = selectionOf(query);
+        const kodo::Shape shape = shapeFromC(placed);
+        writeList(
+            kodo::collide(worldOf(world), shape, fromC(placed->at), placed->margin, which, except),
+            contacts, capacity, count);
     });
 }
 
@@ -132,11 +200,29 @@ kodo_Status kodo_closestPoint(const kodo_World* world, kodo_Vec2 point, kodo_Rea
         const auto [which, except] = selectionOf(query);
         const std::optional<kodo::QueryPoint> found =
             kodo::closestPoint(worldOf(world), fromC(point), maxDistance, which, except);
-        kodo_QueryPoint& made = required(closest, "closest");
-        made = {};
-        if (found) {
-            const auto& [body, part, place, normal, distance] = *found;
-            made = {true, toC(body), part, toC(place), toC(normal), distance};
-        }
+        required(closest, "closest") = found ? toC(*found) : kodo_QueryPoint{};
     });
+}
+
+kodo_Status kodo_closestPointOf(const kodo_World* world, kodo_BodyId id, kodo_Vec2 point,
+                                kodo_QueryPoint* closest) {
+    return guarded([&] {
+        required(closest, "closest") =
+            toC(kodo::closestPoint(worldOf(world)[fromC(id)], fromC(point)));
+    });
+}
+
+kodo_Status kodo_distance(const kodo_World* world, kodo_BodyId a, kodo_BodyId b,
+                          kodo_ClosestPoints* points) {
+    return guarded([&] {
+        const kodo::World& of = worldOf(world);
+        const auto [onA, onB, normal, distance] = kodo::distance(of[fromC(a)], of[fromC(b)]);
+        required(points, "points") = {toC(onA), toC(onB), toC(normal), distance};
+    });
+}
+
+kodo_Status kodo_touching(const kodo_World* world, kodo_BodyId id, kodo_BodyId* ids,
+                          size_t capacity, size_t* count) {
+    return guarded(
+        [&] { writeList(kodo::touching(worldOf(world), fromC(id)), ids, capacity, count); });
 }

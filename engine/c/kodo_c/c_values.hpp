@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <kodo/explosion.hpp>
 #include <kodo/query.hpp>
 #include <kodo_c/c_guard.hpp>
 
@@ -135,6 +136,10 @@ kodo_JointState toC(const kodo::JointState& state);
 kodo_BrokenJoint toC(const kodo::BrokenJoint& broken);
 kodo_CollisionRecord toC(const kodo::CollisionRecord& record);
 kodo_QueryHit toC(const kodo::QueryHit& hit);
+kodo_QueryPoint toC(const kodo::QueryPoint& point);
+kodo_RaySpan toC(const kodo::RaySpan& span);
+kodo_QueryContact toC(const kodo::QueryContact& contact);
+kodo_ExplosionHit toC(const kodo::ExplosionHit& hit);
 kodo_Field toC(const kodo::FieldEntry& entry);
 
 /// A value of C with a flag that says whether it counts.
