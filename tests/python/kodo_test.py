@@ -44,6 +44,8 @@ class Structs(unittest.TestCase):
         for enum in (kodo.BodyType, kodo.Flags, kodo.Phase, kodo.Feature):
             for member in enum:
                 self.assertEqual(int(numbers[member.name]), member.value, member)
+        for member in kodo.StartOverlap:
+            self.assertEqual(int(numbers["START_" + member.name]), member.value, member)
 
 
 class Pictures(unittest.TestCase):
@@ -427,6 +429,100 @@ class Queries(unittest.TestCase):
         self.assertEqual(second.id, closest.body)
         self.assertAlmostEqual(1.5, closest.distance, places=5)
         self.assertIsNone(world.closest_point((3, 2), 1))
+
+
+    def test_a_ray_leaves_a_disc_at_the_second_root(self):
+        world = kodo.World()
+        disc = world.add(kodo.Circle(2), position=(5, 0))
+        (span,) = world.ray_spans((0, 1), (10, 1))
+        self.assertEqual(disc.id, span.entry.body)
+        self.assertAlmostEqual((5 + math.sqrt(3)) / 10, span.exit_fraction, places=5)
+        self.assertAlmostEqual(0.5, span.exit_normal[1], places=5)
+
+    def test_a_cast_turns_and_leaves_out_what_it_starts_in(self):
+        world = kodo.World()
+        target = world.add(kodo.Box(1, 1), position=(0, 3))
+        bar = kodo.Box(4, 0.2, center=(2, 0))
+        self.assertIsNone(world.shape_cast(bar, (0, 0), (0, 0)))
+        hit = world.shape_cast(bar, (0, 0), (0, 0), turn=math.pi)
+        self.assertEqual(target.id, hit.body)
+        # The upper side of the bar meets the corner (0.5, 2.5) when 2.5 cos a - 0.5 sin a = 0.1.
+        angle = math.pi * hit.fraction
+        self.assertAlmostEqual(0.1, 0.5 * math.sin(-angle) + 2.5 * math.cos(angle), delta=0.01)
+        ball = kodo.Circle(0.5)
+        self.assertEqual(0, world.shape_cast(ball, (0, 2.2), (0, 1)).fraction)
+        hit = world.shape_cast(ball, (0, 2.2), (0, 1), at_start=kodo.StartOverlap.NORMAL)
+        self.assertAlmostEqual(-1, hit.normal[1], places=5)
+        ignore = kodo.StartOverlap.IGNORE
+        self.assertIsNone(world.shape_cast(ball, (0, 2.2), (0, 1), at_start=ignore))
+
+    def test_contacts_and_distances_are_those_of_the_shapes(self):
+        world = kodo.World()
+        first, second = (world.add(kodo.Circle(0.5), position=(3 * i, 0)) for i in range(2))
+        (contact,) = world.collide(kodo.Circle(0.5), (1.2, 0), margin=0.3)
+        self.assertEqual(first.id, contact.body)
+        self.assertAlmostEqual(0.2, contact.separation, places=5)
+        self.assertAlmostEqual(0.6, contact.point[0], places=5)
+        self.assertEqual([], world.collide(kodo.Circle(0.5), (1.2, 0), margin=0.1))
+        closest = world.closest_point_of(second, (0, 0))
+        self.assertAlmostEqual(2.5, closest.distance, places=5)
+        points = world.distance(first, second)
+        self.assertAlmostEqual(2, points.distance, places=5)
+        self.assertAlmostEqual(2.5, points.on_b[0], places=5)
+        self.assertAlmostEqual(1, points.normal[0], places=5)
+
+    def test_touching_lists_sleeping_bodies_too(self):
+        world, (box, other, _) = falling_boxes()
+        for _ in range(300):
+            world.step(DT)
+        self.assertTrue(box.is_asleep)
+        self.assertEqual([world.bodies[0].id], world.touching(box))
+        self.assertEqual(3, len(world.touching(world.bodies[0])))
+        other.remove()
+        self.assertEqual(2, len(world.touching(world.bodies[0])))
+
+    def test_queries_may_leave_out_sensors(self):
+        world = kodo.World()
+        world.add(position=(0, 0), flags=kodo.Flags.SENSOR)
+        solid = world.add(position=(3, 0))
+        which = kodo.Filter(kodo.Flags.NO_SENSORS)
+        self.assertEqual(solid.id, world.ray_cast((-5, 0), (9, 0), which).body)
+
+
+class Helpers(unittest.TestCase):
+    def test_a_mover_walks_up_a_slope(self):
+        world = kodo.World()
+        ground = world.add(kodo.Chain(((-20, 0), (0, 0), (20, 6)), one_sided=True),
+                           type=kodo.BodyType.STATIC)
+        mover = kodo.Mover(position=(-3, 1))
+        for _ in range(240):
+            world.step(DT)
+            mover.move(world, (3, mover.velocity[1] - 20 * DT), DT)
+        self.assertTrue(mover.grounded)
+        self.assertEqual(ground.id, mover.ground_body)
+        self.assertAlmostEqual(-6 / math.hypot(20, 6), mover.ground_normal[0], places=5)
+        self.assertAlmostEqual(3, mover.velocity[0], places=5)
+        self.assertGreater(mover.position[1], 1.5)
+        copy = dataclasses.replace(mover)
+        copy.move(world, (3, 0), DT)
+        self.assertLess(mover.position[0], copy.position[0])
+
+    def test_a_bad_mover_is_refused(self):
+        mover = kodo.Mover(shape=kodo.Plane())
+        with self.assertRaisesRegex(kodo.BadDefinition, "plane"):
+            mover.move(kodo.World(), (0, 0), DT)
+
+    def test_an_explosion_spares_what_is_behind_a_wall(self):
+        world = kodo.World()
+        world.add(kodo.Box(0.2, 4), position=(1, 0), type=kodo.BodyType.STATIC)
+        behind = world.add(kodo.Box(1, 1), position=(3, 0))
+        near = world.add(kodo.Box(1, 1), position=(-3, 0))
+        hits = world.explode((0, 0), radius=5, impulse=2)
+        self.assertEqual([near.id], [hit.body for hit in hits])
+        self.assertAlmostEqual(near.mass * near.velocity[0], hits[0].impulse[0], places=4)
+        self.assertLess(near.velocity[0], -1)
+        self.assertEqual((0, 0), behind.velocity)
+        self.assertEqual([], kodo.World().explode((0, 0)))
 
 
 class ArraysTest(unittest.TestCase):

@@ -21,13 +21,15 @@ from .fields import Attractor, Buoyancy, Drag, FieldBody, FieldForce, Gravity, O
 from .geometry import convex_hull, decompose
 from .joints import (BrokenJoint, DistanceJoint, FilterJoint, FixedJoint, GearJoint, JointState,
                      MotorJoint, MouseJoint, PrismaticJoint, PulleyJoint, RevoluteJoint, WheelJoint)
-from .records import CollisionRecord, QueryHit, QueryPoint, RecordPoint, StepStats
+from .mover import Mover
+from .records import (ClosestPoints, CollisionRecord, ExplosionHit, QueryContact, QueryHit,
+                      QueryPoint, RaySpan, RecordPoint, StepStats)
 from .settings import (Feature, PropagationSettings, Settings, SoftSettings, accurate, balanced,
                        fast, thesis2006)
 from .shapes import (Box, Capsule, Chain, Circle, Compound, Heightmap, MassDef, Part, Plane, Point,
                      Polygon, Segment)
-from .values import (BodyId, BodyType, Filter, Flags, JointId, Material, MixRule, Phase, Transform,
-                     with_friction)
+from .values import (BodyId, BodyType, Filter, Flags, JointId, Material, MixRule, Phase,
+                     StartOverlap, Transform, with_friction)
 from .world import ThreadPool, World
 from .worlds import Worlds
 
@@ -49,10 +51,12 @@ __all__ = [
     "Capsule",
     "Chain",
     "Circle",
+    "ClosestPoints",
     "CollisionRecord",
     "Compound",
     "DistanceJoint",
     "Drag",
+    "ExplosionHit",
     "Feature",
     "FieldBody",
     "FieldForce",
@@ -71,6 +75,7 @@ __all__ = [
     "MixRule",
     "MotorJoint",
     "MouseJoint",
+    "Mover",
     "NoMemory",
     "OtherError",
     "OwnField",
@@ -82,15 +87,18 @@ __all__ = [
     "PrismaticJoint",
     "PropagationSettings",
     "PulleyJoint",
+    "QueryContact",
     "QueryHit",
     "QueryPoint",
     "REAL_CODE",
     "REAL_SIZE",
+    "RaySpan",
     "RecordPoint",
     "RevoluteJoint",
     "Segment",
     "Settings",
     "SoftSettings",
+    "StartOverlap",
     "StepStats",
     "ThreadPool",
     "Transform",

@@ -569,6 +569,10 @@ class PlacedShape(ctypes.Structure):
     _fields_ = [("shape", POINTER(Shape)), ("at", Transform)]
 
 
+class NearShape(ctypes.Structure):
+    _fields_ = [("shape", POINTER(Shape)), ("at", Transform), ("margin", Real)]
+
+
 class QueryHit(ctypes.Structure):
     _fields_ = [
         ("found", c_bool),
@@ -589,6 +593,77 @@ class QueryPoint(ctypes.Structure):
         ("normal", Vec2),
         ("distance", Real),
     ]
+
+
+class RaySpan(ctypes.Structure):
+    _fields_ = [
+        ("entry", QueryHit),
+        ("exitFraction", Real),
+        ("exitPoint", Vec2),
+        ("exitNormal", Vec2),
+    ]
+
+
+class QueryContact(ctypes.Structure):
+    _fields_ = [
+        ("body", BodyId),
+        ("part", c_uint16),
+        ("point", Vec2),
+        ("normal", Vec2),
+        ("separation", Real),
+    ]
+
+
+class ClosestPoints(ctypes.Structure):
+    _fields_ = [("onA", Vec2), ("onB", Vec2), ("normal", Vec2), ("distance", Real)]
+
+
+class CastDef(ctypes.Structure):
+    _fields_ = [
+        ("head", Head),
+        ("shape", Shape),
+        ("start", Transform),
+        ("displacement", Vec2),
+        ("angle", Real),
+        ("atStart", c_uint8),
+    ]
+
+
+class Mover(ctypes.Structure):
+    _fields_ = [
+        ("head", Head),
+        ("shape", Shape),
+        ("position", Vec2),
+        ("up", Vec2),
+        ("slopeLimit", Real),
+        ("stepHeight", Real),
+        ("skin", Real),
+        ("pushForce", Real),
+        ("weight", Real),
+        ("which", Filter),
+        ("body", BodyId),
+        ("velocity", Vec2),
+        ("grounded", c_bool),
+        ("groundNormal", Vec2),
+        ("groundBody", BodyId),
+        ("groundPose", Transform),
+        ("wallNormal", Vec2),
+    ]
+
+
+class Explosion(ctypes.Structure):
+    _fields_ = [
+        ("head", Head),
+        ("center", Vec2),
+        ("radius", Real),
+        ("falloff", Real),
+        ("impulse", Real),
+        ("which", Filter),
+    ]
+
+
+class ExplosionHit(ctypes.Structure):
+    _fields_ = [("body", BodyId), ("point", Vec2), ("impulse", Vec2), ("width", Real)]
 
 
 class DrawColor(ctypes.Structure):

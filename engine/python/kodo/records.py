@@ -59,6 +59,43 @@ class QueryPoint(NamedTuple):
     distance: float  #: m; 0 inside
 
 
+class RaySpan(NamedTuple):
+    """The span of a ray within a part."""
+
+    entry: QueryHit  #: as of ray_cast_all()
+    exit_fraction: float  #: 0 to 1 of the ray; 1 if it ends within the part
+    exit_point: Vec2  #: m
+    exit_normal: Vec2  #: unit, out of the body; zero if the ray ends within the part
+
+
+class QueryContact(NamedTuple):
+    """Where a shape touches or nearly touches a part."""
+
+    body: BodyId
+    part: int
+    point: Vec2  #: m; halfway between the surfaces
+    normal: Vec2  #: unit, out of the body
+    separation: float  #: m, along the normal; < 0 in overlap
+
+
+class ClosestPoints(NamedTuple):
+    """The closest points of two bodies."""
+
+    on_a: Vec2  #: m
+    on_b: Vec2  #: m; equal to on_a in overlap
+    normal: Vec2  #: unit, from a to b; zero in overlap
+    distance: float  #: m; 0 in overlap
+
+
+class ExplosionHit(NamedTuple):
+    """A body that an explosion pushed."""
+
+    body: BodyId
+    point: Vec2  #: m, world; the closest point that was reached
+    impulse: Vec2  #: N s
+    width: float  #: m, across the rays: of what was reached
+
+
 class StepStats(NamedTuple):
     """Work of the last step."""
 
@@ -93,3 +130,8 @@ def from_record(record: c.CollisionRecord) -> CollisionRecord:
 def from_hit(hit: c.QueryHit) -> QueryHit:
     return QueryHit(from_body_id(hit.body), hit.part, hit.fraction, from_vec2(hit.point),
                     from_vec2(hit.normal))
+
+
+def from_query_point(closest: c.QueryPoint) -> QueryPoint:
+    return QueryPoint(from_body_id(closest.body), closest.part, from_vec2(closest.point),
+                      from_vec2(closest.normal), closest.distance)

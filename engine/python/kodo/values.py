@@ -39,10 +39,19 @@ class Flags(enum.IntFlag):
     SENSOR = 1 << 22  #: detects overlap, without any response
     FROZEN = 1 << 23  #: status: see World.frozen_bodies()
     OUTSIDE = 1 << 24  #: status: outside the region
+    NO_SENSORS = 1 << 25  #: of queries alone: parts that are sensors are left out
     MATCH_NONE = 1 << 27  #: collides where none of the required flags is set
     MATCH_ANY = 1 << 28  #: where at least one of the required flags is set
     MATCH_ALL = 1 << 29  #: where all of them are set
     MATCH_EQUAL = 1 << 30  #: where exactly these are set
+
+
+class StartOverlap(enum.IntEnum):
+    """What a cast does with a part that its shape overlaps or touches at the start."""
+
+    REPORT = 0  #: a hit with fraction 0 and a zero normal
+    NORMAL = 1  #: with the normal of least overlap; no hit if the displacement leads outwards
+    IGNORE = 2  #: no hit: the shape passes
 
 
 class Phase(enum.IntEnum):
@@ -102,7 +111,7 @@ def with_friction(friction: float, restitution: float = 0.0) -> Material:
 class Filter(NamedTuple):
     """Which bodies a query, a field or a force concerns. Filter() is all."""
 
-    flags: int = 0  #: at most one of MATCH_NONE, MATCH_ANY, MATCH_ALL, MATCH_EQUAL
+    flags: int = 0  #: at most one of MATCH_NONE, MATCH_ANY, MATCH_ALL, MATCH_EQUAL; NO_SENSORS
     required: int = 0  #: categories that the mode compares with those of a body
     group: int = 0  #: before the mode: > 0 finds the bodies of the group, < 0 leaves them out
 

@@ -14,10 +14,11 @@ from .body import Body
 from .buffers import readable, writable
 from .fields import Field, OwnField
 from .joints import BrokenJoint, Joint, JointState, from_joint, to_joint
-from .records import CollisionRecord, QueryHit, QueryPoint, StepStats, from_hit, from_record
+from .records import (ClosestPoints, CollisionRecord, ExplosionHit, QueryContact, QueryHit,
+                      QueryPoint, RaySpan, StepStats, from_hit, from_query_point, from_record)
 from .settings import Settings, from_settings, to_settings
 from .shapes import BuiltShape, Circle, MassDef, Shape, to_mass
-from .values import (Aabb, BodyId, BodyType, Filter, JointId, Material, Vec2, from_aabb,
+from .values import (Aabb, BodyId, BodyType, Filter, JointId, Material, StartOverlap, Vec2, from_aabb,
                      from_body_id, from_joint_id, from_vec2, to_aabb, to_array, to_body_id, to_filter,
                      to_joint_id, to_material, to_rot, to_vec2)
 
@@ -445,14 +446,46 @@ class World:
         found = self._list("kodo_rayCastAll", c.QueryHit, ray, byref(_query(which, ignore)))
         return [from_hit(hit) for hit in found]
 
+    def ray_spans(self, start: Vec2, end: Vec2, which: Filter = Filter(),
+                  ignore: Sequence[BodyLike] = ()) -> List[RaySpan]:
+        """The same parts with the points where the ray leaves them."""
+        ray = c.Ray(to_vec2(start), to_vec2(end))
+        found = self._list("kodo_raySpans", c.RaySpan, ray, byref(_query(which, ignore)))
+        return [
+            RaySpan(from_hit(each.entry), each.exitFraction, from_vec2(each.exitPoint),
+                    from_vec2(each.exitNormal))
+            for each in found
+        ]
+
     def shape_cast(self, shape: Shape, position: Vec2, displacement: Vec2, angle: float = 0.0,
-                   which: Filter = Filter(), ignore: Sequence[BodyLike] = ()) -> Optional[QueryHit]:
-        """The first part that a shape meets when it moves by a displacement (m) without
-        rotation."""
+                   which: Filter = Filter(), ignore: Sequence[BodyLike] = (), turn: float = 0.0,
+                   at_start: StartOverlap = StartOverlap.REPORT) -> Optional[QueryHit]:
+        """The first part that a shape meets when it moves by a displacement (m) and turns by
+        `turn` (rad, -100 to 100) about its origin. position (m) and angle (rad) are those at the
+        start. With a turn it stops less than a quarter of the slop before the part."""
         built, hit = BuiltShape(shape), c.QueryHit()
-        call("kodo_shapeCast", self.handle, byref(_placed(built, position, angle)),
-             to_vec2(displacement), byref(_query(which, ignore)), byref(hit))
+        cast = c.initialised(c.CastDef)
+        cast.shape = built.struct
+        cast.start = c.Transform(to_vec2(position), to_rot(angle))
+        cast.displacement, cast.angle, cast.atStart = to_vec2(displacement), turn, int(at_start)
+        call("kodo_castShape", self.handle, byref(cast), byref(_query(which, ignore)), byref(hit))
         return from_hit(hit) if hit.found else None
+
+    def collide(self, shape: Shape, position: Vec2 = (0.0, 0.0), angle: float = 0.0,
+                margin: float = 0.0, which: Filter = Filter(),
+                ignore: Sequence[BodyLike] = ()) -> List[QueryContact]:
+        """The deepest contact of a shape at a pose (m, rad) with each part nearer than margin
+        (m, >= 0), ordered by id and part."""
+        built = BuiltShape(shape)
+        at = c.Transform(to_vec2(position), to_rot(angle))
+        near = c.NearShape(ctypes.pointer(built.struct), at, margin)
+        found = self._list("kodo_collide", c.QueryContact, byref(near),
+                           byref(_query(which, ignore)))
+        return [
+            QueryContact(from_body_id(each.body), each.part, from_vec2(each.point),
+                         from_vec2(each.normal), each.separation)
+            for each in found
+        ]
 
     def overlap_box(self, box: Aabb, which: Filter = Filter(),
                     ignore: Sequence[BodyLike] = ()) -> List[BodyId]:
@@ -476,10 +509,46 @@ class World:
         found = c.QueryPoint()
         call("kodo_closestPoint", self.handle, to_vec2(point), Real(max_distance),
              byref(_query(which, ignore)), byref(found))
-        if not found.found:
-            return None
-        return QueryPoint(from_body_id(found.body), found.part, from_vec2(found.point),
-                          from_vec2(found.normal), found.distance)
+        return from_query_point(found) if found.found else None
+
+    def closest_point_of(self, body: BodyLike, point: Vec2) -> QueryPoint:
+        """The point of one body closest to a point (m, world), however far."""
+        found = c.QueryPoint()
+        call("kodo_closestPointOf", self.handle, id_of(body), to_vec2(point), byref(found))
+        return from_query_point(found)
+
+    def distance(self, a: BodyLike, b: BodyLike) -> ClosestPoints:
+        """The closest points of two bodies."""
+        found = c.ClosestPoints()
+        call("kodo_distance", self.handle, id_of(a), id_of(b), byref(found))
+        return ClosestPoints(from_vec2(found.onA), from_vec2(found.onB), from_vec2(found.normal),
+                             found.distance)
+
+    def touching(self, body: BodyLike) -> List[BodyId]:
+        """The bodies that touched a body in the last step, awake or asleep, in the order of ids.
+        Of a sensor: what it holds."""
+        found = self._list("kodo_touching", c.BodyId, id_of(body))
+        return [from_body_id(each) for each in found]
+
+    # Explosions.
+
+    def explode(self, center: Vec2, radius: float = 1.0, impulse: float = 1.0, falloff: float = 0.0,
+                which: Filter = Filter()) -> List[ExplosionHit]:
+        """Pushes the sides of dynamic bodies that the centre (m, world) sees, and lists the bodies
+        in the order of ids. At full strength up to radius (m, > 0), from there on it falls to 0
+        over falloff (m). impulse: N s for each metre of a side, seen from the centre; < 0 pulls.
+        `which` names bodies that it pushes; all others but sensors are a cover too."""
+        given = c.initialised(c.Explosion)
+        given.center, given.which = to_vec2(center), to_filter(which)
+        given.radius, given.impulse, given.falloff = radius, impulse, falloff
+        room, count = len(self), c_size_t()
+        hits = (c.ExplosionHit * room)()
+        call("kodo_explode", self.handle, byref(given), hits, c_size_t(room), byref(count))
+        return [
+            ExplosionHit(from_body_id(each.body), from_vec2(each.point), from_vec2(each.impulse),
+                         each.width)
+            for each in hits[: count.value]
+        ]
 
 
 def _query(which: Filter, ignore: Sequence[BodyLike]) -> c.Query:
