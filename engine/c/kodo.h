@@ -65,7 +65,7 @@ KODO_C_API uint32_t kodo_version(void);
 KODO_C_API uint32_t kodo_realSize(void);
 
 /// Raised with each change of a struct, an enumerator or a function.
-#define KODO_C_VERSION 1
+#define KODO_C_VERSION 2
 
 /// Begins a definition: which header it was compiled with.
 typedef struct kodo_Head {

@@ -9,7 +9,7 @@ from typing import Type, TypeVar
 
 from ._library import REAL_SIZE, Real, call
 
-VERSION = 1  # KODO_C_VERSION
+VERSION = 2  # KODO_C_VERSION
 
 
 class Head(ctypes.Structure):
