@@ -1,32 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Explosion: crates near it are thrown, those behind a wall are not. A ray tells what is in sight.
+// Explosion: crates that the centre sees are thrown, those behind a wall are not.
 #include <kodo/kodo.hpp>
 
 #include <cstdio>
 #include <fstream>
-
-namespace {
-
-/// Pushes what the centre sees within a radius (m), with at most `strength` N s per m^2 of area.
-int explode(kodo::World& world, kodo::Vec2 center, float radius, float strength) {
-    int thrown = 0;
-    for (const kodo::BodyId id : kodo::overlap(world, kodo::Circle{radius}, {center, {}})) {
-        kodo::BodyRef body = world[id];
-        const auto seen = kodo::rayCast(world, center, body.center());
-        if (body.type() != kodo::BodyType::Dynamic || !seen || seen->body != id) {
-            continue; // something else is in between
-        }
-        const kodo::Vec2 way = seen->point - center;
-        const float share = 1 - length(way) / radius;
-        if (share > 0) {
-            body.applyImpulse(share * strength * body.area() * normalize(way), seen->point);
-            ++thrown;
-        }
-    }
-    return thrown;
-}
-
-} // namespace
 
 int main(int argc, char** argv) {
     kodo::World world{{.gravity = {0, -10}}};
@@ -41,7 +18,12 @@ int main(int argc, char** argv) {
     for (int step = 0; step < 30; ++step) {
         world.step(1.0f / 60);
     }
-    std::printf("%d crates are thrown\n", explode(world, {0, 0.5f}, 5, 12));
+    const auto hits = kodo::explode(
+        world, {.center = {0, 0.5f}, .radius = 1, .falloff = 4, .impulse = 8}); // N s/m
+    for (const kodo::ExplosionHit& hit : hits) {
+        std::printf("%s: %.1f N s over %.2f m\n", hit.body == open ? "below" : "above",
+                    length(hit.impulse), hit.width);
+    }
     for (int step = 0; step < 24; ++step) {
         world.step(1.0f / 60);
     }

@@ -1,59 +1,50 @@
 // SPDX-License-Identifier: MIT
-// Platformer ground: a heightmap without ghost collisions, and a one-way ledge.
+// Platformer: a mover walks over tiles, up a slope and steps, rides on a lift, and jumps through a
+// one-way ledge.
 #include <kodo/kodo.hpp>
 
 #include <cstdio>
 #include <fstream>
 
 int main(int argc, char** argv) {
-    kodo::World world{{.gravity = {0, -20}}};
-    // Ten flat cells of 1 m, then a slope. Bodies slide over the joins.
-    world.add(
-        {.shape = kodo::Heightmap{.spacing = 1,
-                                  .heights = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.5f, 1, 1.5f, 2}},
-         .type = kodo::BodyType::Static});
+    kodo::World world; // the mover has its own gravity
+    const auto addStatic = [&](const kodo::Shape& shape) {
+        world.add({.shape = shape, .type = kodo::BodyType::Static});
+    };
+    // Ten flat cells of 1 m, a slope of 27 degrees, and two steps of 0.25 m.
+    addStatic(
+        kodo::Heightmap{.spacing = 1, .heights = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.5f, 1, 1}});
+    addStatic(kodo::Box{1, 0.25f, {13.5f, 1.125f}});
+    addStatic(kodo::Box{1, 0.5f, {14.5f, 1.25f}});
     // The front of a one-sided segment is on the left of from -> to: here, above.
-    world.add({.shape = kodo::Segment{.from = {7, 2}, .to = {9, 2}, .oneSided = true},
-               .type = kodo::BodyType::Static});
+    addStatic(kodo::Segment{.from = {4, 2}, .to = {9, 2}, .oneSided = true});
+    const kodo::BodyId lift = world.add(
+        {.shape = kodo::Box{2, 0.5f}, .position = {16, 1.25f}, .type = kodo::BodyType::Kinematic});
 
-    const kodo::BodyId player = world.add({.shape = kodo::Box{0.6f, 1},
-                                           .position = {1, 0.5f},
-                                           .material = kodo::withFriction(0),
-                                           .flags = kodo::kLockRotate | kodo::kNeverSleep});
-
-    // Supported: a contact of the last step that carries the player.
-    const auto onGround = [&] {
-        for (const kodo::CollisionRecord& hit : world.collisions(player)) {
-            const float up = hit.a == player ? -hit.normal.y : hit.normal.y;
-            if (hit.totalImpulse > 0 && up > 0.7f) {
-                return true;
-            }
-        }
-        return false;
-    };
+    kodo::Mover player{.position = {1, 0.71f}};
     const auto tell = [&](const char* what, int step) {
-        const kodo::Vec2 place = world[player].position();
-        std::printf("step %3d: %s at (%.1f, %.1f)\n", step, what, place.x, place.y);
+        std::printf("step %3d: %s at (%.2f, %.2f)\n", step, what, player.position.x,
+                    player.position.y);
     };
-
-    bool wasOnGround = true;
-    for (int step = 1; step <= 240; ++step) {
-        kodo::Vec2 velocity = world[player].velocity();
-        const bool grounded = onGround();
-        velocity.x = step < 90 ? 5.0f : 0.0f; // run to the right, then stand
-        if (step == 72 && grounded) {         // jump through the ledge
-            velocity.y = 10;
-            tell("jumps", step);
+    constexpr float kStep = 1.0f / 60, kGravity = 20; // s, m/s^2
+    bool wasGrounded = false;
+    for (int step = 1; step <= 420; ++step) {
+        if (step == 300) {
+            world[lift].setVelocity({0, 1});
         }
-        world[player].setVelocity(velocity);
-        world.step(1.0f / 60);
-        if (onGround() && !wasOnGround) {
-            tell("lands", step);
+        world.step(kStep);
+        const bool jumps = step == 40 && player.grounded;
+        const float run = player.position.x < 16 ? 5.0f : 0.0f;
+        player.move(world, {run, jumps ? 10 : player.velocity.y - kGravity * kStep}, kStep);
+        if (player.grounded != wasGrounded) {
+            tell(player.grounded ? "lands" : "leaves the ground", step);
         }
-        wasOnGround = onGround();
-        if (argc > 1 && step == 90) { // a picture
-            std::ofstream(argv[1]) << kodo::svg(world, {.velocities = true});
+        wasGrounded = player.grounded;
+        if (argc > 1 && step == 90) { // a picture, with the mover as a body
+            world.add({.shape = kodo::shapeOf(player.shape), .position = player.position});
+            std::ofstream(argv[1]) << kodo::svg(world, {}, kodo::Aabb{{0, -0.5f}, {18, 5}});
+            return 0;
         }
     }
-    tell("stands", 240);
+    tell(player.groundBody == lift ? "rides on the lift" : "stands", 420);
 }
