@@ -2,6 +2,7 @@
 #include <support/scenes.hpp>
 
 #include <cmath>
+#include <limits>
 
 namespace kodo {
 namespace {
@@ -121,8 +122,10 @@ TEST(Explosion, RefusesBadNumbers) {
     const BodyId body = world.add({.position = {1, 0}});
     EXPECT_THROW(explode(world, {.radius = 0}), BadDefinition);
     EXPECT_THROW(explode(world, {.falloff = -1}), BadDefinition);
-    EXPECT_THROW(explode(world, {.impulse = std::nan("")}), BadDefinition);
-    EXPECT_THROW(explode(world, {.center = {std::nan(""), 0}}), BadDefinition);
+    EXPECT_THROW(explode(world, {.impulse = std::numeric_limits<Real>::quiet_NaN()}),
+                 BadDefinition);
+    EXPECT_THROW(explode(world, {.center = {std::numeric_limits<Real>::quiet_NaN(), 0}}),
+                 BadDefinition);
     EXPECT_THROW(explode(world, {.which = {.required = 2}}), BadDefinition);
     EXPECT_EQ(world[body].velocity(), Vec2{});
 }

@@ -2,6 +2,7 @@
 #include <helpers/mover_scenes.hpp>
 
 #include <cmath>
+#include <limits>
 
 namespace kodo {
 namespace {
@@ -282,7 +283,8 @@ TEST(Mover, RefusesBadNumbersAndChangesNothing) {
     refused({.skin = 0});
     refused({.pushForce = -1});
     Mover mover;
-    EXPECT_THROW(mover.move(world, {std::nan(""), 0}, kStep), BadDefinition);
+    EXPECT_THROW(mover.move(world, {std::numeric_limits<Real>::quiet_NaN(), 0}, kStep),
+                 BadDefinition);
     EXPECT_THROW(mover.move(world, {}, 0), BadDefinition);
 }
 

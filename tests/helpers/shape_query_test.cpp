@@ -5,6 +5,7 @@
 #include <support/sleeping.hpp>
 
 #include <cmath>
+#include <limits>
 
 namespace kodo {
 namespace {
@@ -171,7 +172,8 @@ TEST(ShapeQueries, DistancesOfGivenBodies) {
     EXPECT_NEAR(gap.distance, 2, 1e-6);
     EXPECT_EQ(gap.normal, (Vec2{1, 0}));
     EXPECT_NEAR(distance(world[b], world[a]).onA.x, 3, 1e-6);
-    EXPECT_THROW(closestPoint(world[a], {std::nan(""), 0}), BadDefinition);
+    EXPECT_THROW(closestPoint(world[a], {std::numeric_limits<Real>::quiet_NaN(), 0}),
+                 BadDefinition);
 }
 
 // All pairs of begun and not ended records, while bodies fall, lie and sleep.
