@@ -228,7 +228,7 @@ void drawShapes(const BodyView& body, DrawStyle style, DebugDraw& target) {
         if (overlap(boundsOf(shape, body.massFrame()), target.view())) {
             DrawStyle own = style;
             if ((body.filter(i).flags & kSensor) != 0) {
-                own.fill = {};
+                own.fill.a = 0; // hollow
             }
             draw(shape, body.massFrame(), target, own);
         }
