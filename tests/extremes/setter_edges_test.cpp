@@ -334,6 +334,17 @@ TEST(SetterEdges, EachTypeAndFlagIsRefusedOrSound) {
     }
 }
 
+// These have a meaning in queries and as modes, but not as flags of a body beside another mode.
+TEST(SetterEdges, FlagsOfQueriesAreRefusedByBodies) {
+    for (const Kind& kind : kinds()) {
+        for (const Flags flag : {kNoSensors, kMatchNone | kMatchAny}) {
+            Scene scene(kind);
+            EXPECT_THROW(scene.world[scene.subject].setFlags(flag), BadDefinition) << kind.name;
+            EXPECT_THROW(scene.world.add({.flags = flag}), BadDefinition) << kind.name;
+        }
+    }
+}
+
 // Bits without a meaning, or with one that only the engine gives them.
 TEST(SetterEdges, ReservedBitsAreRefusedEverywhere) {
     for (const Kind& kind : kinds()) {
