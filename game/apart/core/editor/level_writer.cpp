@@ -82,7 +82,8 @@ private:
     }
     void number(std::string_view key, std::int32_t value) { line(key, std::to_string(value)); }
     void pair(std::string_view key, std::int32_t x, std::int32_t y) {
-        line(key, "[" + std::to_string(x) + ", " + std::to_string(y) + "]");
+        text_.append(key).append(" = [").append(std::to_string(x)).append(", ");
+        text_.append(std::to_string(y)).append("]\n");
     }
     /// A line, unless the value is the default.
     void unless(std::int32_t usual, std::string_view key, std::int32_t value) {
