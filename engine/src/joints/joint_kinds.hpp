@@ -41,8 +41,7 @@ public:
                                 inverseAbout(frame_.b, frame_.armB)));
         }
         if (joint.limits) {
-            limit(angularBeside(point), 1, angle - joint.limits->lower);
-            limit(reversed(angularBeside(point)), 2, joint.limits->upper - angle);
+            limits(angularBeside(point), 1, angle, *joint.limits, joint_.axes[0]);
         }
         visit_(point, joint_.point, Relax::Rigid);
     }
@@ -78,8 +77,7 @@ public:
         }
         motor(along, 3, joint.motorSpeed, joint.motorForce);
         if (joint.limits) {
-            limit(along, 1, distance - joint.limits->lower);
-            limit(reversed(along), 2, joint.limits->upper - distance);
+            limits(along, 1, distance, *joint.limits, joint_.axes[3]);
         }
     }
 
@@ -92,8 +90,7 @@ public:
             spring(along, 5, place - joint.target, springOf(joint, along));
         }
         if (joint.limits) {
-            limit(along, 3, place - joint.limits->lower);
-            limit(reversed(along), 4, joint.limits->upper - place);
+            limits(along, 3, place, *joint.limits, joint_.axes[2]);
         }
         const AxisConstraint angle = fixed(angular(), frame_.angle(joint.reference));
         AxisConstraint across = fixed(linear(perp(axis), frame_.gap), dot(perp(axis), frame_.gap));
@@ -139,8 +136,7 @@ public:
             spring(along, 2, place, springOf(joint, along));
         }
         if (joint.limits) {
-            limit(along, 3, place - joint.limits->lower);
-            limit(reversed(along), 4, joint.limits->upper - place);
+            limits(along, 3, place, *joint.limits, 0);
         }
         visit_(fixed(linear(perp(axis), frame_.gap), dot(perp(axis), frame_.gap)), joint_.axes[0],
                Relax::Rigid);
@@ -228,9 +224,16 @@ private:
         }
     }
 
+    /// `motor`: impulse of a motor along the axis. The limit that it pushes into bears it.
+    void limits(const AxisConstraint& axis, std::size_t slot, Real now, Range range, Real motor) {
+        limit(axis, slot, now - range.lower, -motor);
+        limit(reversed(axis), slot + 1, range.upper - now, motor);
+    }
+
     /// Keeps `room` (m or rad) at or above zero. A positive room may be closed within the substep,
     /// but not exceeded.
-    void limit(AxisConstraint axis, std::size_t slot, Real room) {
+    void limit(AxisConstraint axis, std::size_t slot, Real room, Real pushed = 0) {
+        axis.borne = std::max(pushed, Real(0));
         axis.error = std::max(room, -mostError(pass_.stiff));
         axis.softness = room > 0 ? Softness::rigid(pass_.h) : pass_.stiff;
         axis.bounds.lower = 0;

@@ -190,7 +190,7 @@ Real AxisConstraint::missing(const BodyVelocity& a, const BodyVelocity& b, Real 
     if (!(k > 0)) {
         return 0; // both bodies are immovable, or the other constraint leaves no motion free
     }
-    const Real wanted = impulse - soft.massScale * now / k - soft.impulseScale * impulse;
+    const Real wanted = impulse - soft.massScale * now / k - soft.impulseScale * (impulse - borne);
     return std::clamp(wanted, bounds.lower, bounds.upper) - impulse;
 }
 

@@ -177,9 +177,10 @@ enum class RevoluteTask { Solve, Relax };
 
 /// Impulse of a limit after its solution; the same rules as JointKinds::limit(). A positive `room`
 /// (rad) may be closed within the substep. `speed` (rad/s): of the room, once the point is solved.
+/// `pushed` (N m s): by the motor, into the limit.
 template <RevoluteTask task>
-KODO_LANES_INLINE Lanes limitImpulse(const RevolutePassArguments& pass, Lanes impulse, Lanes room,
-                                     Lanes speed, Lanes mass) {
+KODO_LANES_INLINE Lanes limitImpulse(const RevolutePassArguments& pass, Lanes impulse, Lanes pushed,
+                                     Lanes room, Lanes speed, Lanes mass) {
     const auto apart = room > Lanes{};
     Lanes kept = all(1);
     if constexpr (task == RevoluteTask::Solve) {
@@ -190,7 +191,8 @@ KODO_LANES_INLINE Lanes limitImpulse(const RevolutePassArguments& pass, Lanes im
     } else {
         speed += apart ? room * all(1 / pass.h) : Lanes{};
     }
-    return larger(Lanes{}, kept * impulse - mass * speed);
+    const Lanes borne = larger(Lanes{}, pushed);
+    return larger(Lanes{}, (borne + kept * (impulse - borne)) - mass * speed);
 }
 
 /// Solves motors and limits, and returns the change of their impulses. `speed` (rad/s): of b
@@ -208,11 +210,11 @@ KODO_LANES_INLINE Lanes solveAngles(const RevolutePassArguments& pass, std::size
     const Lanes angle = load(angles.angle + at);
     const Lanes below = load(angles.below + at);
     const Lanes raised =
-        limitImpulse<task>(pass, below, angle - load(angles.lower + at), speed, mass);
+        limitImpulse<task>(pass, below, -driven, angle - load(angles.lower + at), speed, mass);
     speed += give * (raised - below);
     const Lanes above = load(angles.above + at);
     const Lanes lowered =
-        limitImpulse<task>(pass, above, load(angles.upper + at) - angle, -speed, mass);
+        limitImpulse<task>(pass, above, driven, load(angles.upper + at) - angle, -speed, mass);
     store(angles.motor + at, driven);
     store(angles.below + at, raised);
     store(angles.above + at, lowered);
