@@ -6,7 +6,6 @@
 #include <cctype>
 
 namespace apart {
-
 namespace {
 
 template <typename T, std::size_t kCount>
