@@ -28,21 +28,23 @@ struct SingleJoint {
         const PointConstraint point{
             RandomPins::get(block.armA, lane), RandomPins::get(block.armB, lane), {}, soft};
         Vec2 impulse = RandomPins::get(block.impulse, lane);
-        AxisConstraint axis{{}, 1, 1, 0, 0, {}, kUnbounded, {&point, impulse, biased}};
+        AxisConstraint axis{
+            .axis = {}, .leverA = 1, .leverB = 1, .beside = {&point, impulse, biased}};
         Real motor = angles.motor[lane];
         axis.speed = angles.speed[lane];
         axis.bounds = {-kH * angles.torque[lane], kH * angles.torque[lane]};
         axis.solve(a, b, motor, biased);
         axis.speed = 0;
         axis.bounds = {0, kUnbounded.upper};
-        const auto limit = [&](Real room, Real before) {
+        const auto limit = [&](Real room, Real before, Real pushed) {
+            axis.borne = std::max(pushed, Real(0));
             axis.error = room;
             axis.softness = room > 0 ? Softness::rigid(kH) : soft;
             axis.solve(a, b, before, biased || room > 0);
         };
-        limit(angles.angle[lane] - angles.lower[lane], angles.below[lane]);
+        limit(angles.angle[lane] - angles.lower[lane], angles.below[lane], -motor);
         axis.leverA = axis.leverB = -1;
-        limit(angles.upper[lane] - angles.angle[lane], angles.above[lane]);
+        limit(angles.upper[lane] - angles.angle[lane], angles.above[lane], motor);
         point.solve(a, b, impulse, biased);
     }
 };
