@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Bodies with more contacts than colours: their contacts share blocks, and the body is split into
-// copies [Tonge12].
+// Bodies with more contacts than colours.
 #include <kodo/world.hpp>
-#include <support/same_bits.hpp>
 #include <support/scenes.hpp>
 
 #include <gtest/gtest.h>
-#include <solve/random_blocks.hpp>
 
-#include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 #include <vector>
 
@@ -107,28 +102,6 @@ TEST(SharedBody, KeepsMomentumAndGainsNoEnergy) {
         energy = now.energy;
     }
     EXPECT_LT(world[wheel].angularVelocity(), Real(0.999)); // the discs were touched
-}
-
-// Blocks with a shared body give the same bits with all widths of SIMD.
-TEST(SharedBody, BaselineAndFastestPassesGiveTheSameBits) {
-    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-        SCOPED_TRACE(seed);
-        RandomBlocks wide(seed);
-        RandomBlocks narrow(seed);
-        for (RandomBlocks* blocks : {&wide, &narrow}) {
-            for (std::size_t i = 0; i < blocks->blocks.size(); i += 2) {
-                ContactBlock& block = blocks->blocks[i];
-                const bool isA = i % 4 == 0;
-                blocks->use[i].shared = isA ? Shared::BodyA : Shared::BodyB;
-                std::uint32_t(&own)[ContactBlock::kContacts] = isA ? block.a : block.b;
-                std::fill(std::begin(own), std::end(own), own[0]);
-            }
-        }
-        wide.run(ContactPasses::best());
-        narrow.run(ContactPasses::baseline());
-        EXPECT_TRUE(support::sameBits(wide.motion, narrow.motion));
-        EXPECT_TRUE(support::sameBits(wide.blocks, narrow.blocks));
-    }
 }
 
 } // namespace

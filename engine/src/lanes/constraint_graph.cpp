@@ -2,7 +2,6 @@
 // Constraint graph of ContactBlocks: blocks and lanes of contacts, and its rebuild.
 #include <algorithm>
 #include <bit>
-#include <iterator>
 #include <utility>
 
 #include "lanes/contact_blocks.hpp"
@@ -92,46 +91,15 @@ std::uint32_t ContactBlocks::addBlock(std::uint32_t bin, std::uint8_t partition)
     std::fill_n(lanes.a, ContactBlock::kContacts, velocityOffset(spare_));
     std::fill_n(lanes.b, ContactBlock::kContacts, velocityOffset(spare_));
     states_.push_back({bin, kNone, 0, 0, 0, partition});
-    use_.push_back({-1, bin % 2 == 1, BlockBins::groupOf(bin) > kFreeColours, 0, 0, Shared::None});
+    use_.push_back({-1, bin % 2 == 1, BlockBins::groupOf(bin) > kFreeColours, 0, 0});
     return block;
 }
 
-/// Gives a contact without a colour a lane. Contacts of a body that has no free colour share
-/// blocks.
-void ContactBlocks::assignUncolouredLane(const ContactEntry& entry, std::uint32_t bin,
-                                         Shared shared) {
-    if (shared == Shared::None) {
-        const std::uint32_t block = openBlock(bin, 0);
-        use_[block].shared = shared;
-        assignLaneOf(block, entry);
-        openOf(bin, 0) = states_[block].nextOpen;
-        return;
-    }
-    const bool isA = shared == Shared::BodyA;
-    const ContactSummary& summary = entry.summary;
-    const std::uint32_t body = isA ? summary.bodyA : summary.bodyB;
-    const std::uint32_t other = isA ? summary.bodyB : summary.bodyA;
-    std::uint32_t& open = sharedOf_[body];
-    const auto fits = [&](std::uint32_t block) {
-        const ContactBlock& lanes = blocks_[block];
-        const auto& others = isA ? lanes.b : lanes.a;
-        const bool fixed = isA ? summary.row.fixedB : summary.row.fixedA;
-        return states_[block].bin == bin && use_[block].shared == shared &&
-               states_[block].used != 0xff &&
-               (fixed || std::find(std::begin(others), std::end(others), velocityOffset(other)) ==
-                             std::end(others));
-    };
-    if (open == kNone) {
-        sharedBodies_.push_back(body);
-    }
-    if (open == kNone || !fits(open)) {
-        open = openBlock(bin, 0);
-        openOf(bin, 0) = states_[open].nextOpen;
-        use_[open].shared = shared;
-        ContactBlock& lanes = blocks_[open]; // also unused lanes have a copy
-        std::fill_n(isA ? lanes.a : lanes.b, ContactBlock::kContacts, velocityOffset(body));
-    }
-    assignLaneOf(open, entry);
+/// Gives a contact without a colour a block of its own.
+void ContactBlocks::assignSingleLane(const ContactEntry& entry, std::uint32_t bin) {
+    const std::uint32_t block = openBlock(bin, 0);
+    assignLaneOf(block, entry);
+    openOf(bin, 0) = states_[block].nextOpen;
 }
 
 void ContactBlocks::assignLane(const ContactEntry& entry, std::uint32_t bin) {

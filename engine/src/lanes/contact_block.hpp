@@ -24,7 +24,7 @@ constexpr std::uint32_t bodyOfPlace(std::uint32_t place) {
 }
 
 /// Eight contacts as a structure of arrays. No two of them move the same body, so SIMD lanes solve
-/// them at once; BlockUse::shared has the exception. All coefficients are computed before the
+/// them at once. All coefficients are computed before the
 /// passes, which only multiply and add.
 ///
 /// Contact arms are fixed for the step: a separation follows deltaPosition exactly and deltaAngle
@@ -70,11 +70,6 @@ struct SurfaceBlock {
     ContactBlock::Each speed;        // m/s, along perp(normal); see relativeSurfaceSpeed
 };
 
-/// The body that all lanes of a block share. Each lane pushes a copy of it with an eighth of mass
-/// and inertia; then the body gets the mean velocity of all copies. So the lanes are solved at
-/// once, and momentum is conserved [Tonge12].
-enum class Shared : std::uint8_t { None, BodyA, BodyB };
-
 /// Which data and lanes of a block are in use.
 struct BlockUse {
     std::int32_t surface = -1; // index of its SurfaceBlock, or -1
@@ -82,7 +77,6 @@ struct BlockUse {
     bool onLocked = false;     // all contacts have a body of infinite mass: doubled frequency
     std::uint8_t movesA = 0;   // lane mask: body a is not locked
     std::uint8_t movesB = 0;
-    Shared shared = Shared::None;
     /// Some contact has a surface speed, or a static friction above the kinetic one.
     bool rareFriction = false;
 };

@@ -2,7 +2,6 @@
 #include "lanes/contact_block_lanes.hpp"
 
 #include <limits>
-#include <utility>
 
 #include "lanes/contact_lane.hpp"
 #include "lanes/leverage.hpp"
@@ -15,20 +14,6 @@ Real effectiveMass(const BodyVelocity& a, const BodyVelocity& b, Real leverA, Re
     const Real k =
         a.invMass + b.invMass + a.invInertia * leverA * leverA + b.invInertia * leverB * leverB;
     return k >= std::numeric_limits<Real>::min() ? 1 / k : 0; // 0: neither body gives way
-}
-
-/// Both bodies of a contact; a shared one with the mass of a copy.
-std::pair<BodyVelocity, BodyVelocity> masses(const Bodies& bodies, const Contact& contact,
-                                             Shared shared) {
-    constexpr Real kCopies = ContactBlock::kContacts;
-    BodyVelocity a = bodies.motion[contact.key.bodyA];
-    BodyVelocity b = bodies.motion[contact.key.bodyB];
-    if (shared != Shared::None) {
-        BodyVelocity& own = shared == Shared::BodyA ? a : b;
-        own.invMass *= kCopies;
-        own.invInertia *= kCopies;
-    }
-    return {a, b};
 }
 
 /// Coefficients of a point.
@@ -48,9 +33,8 @@ void writePoint(ContactBlock::Point& point, std::size_t lane, const PointValues&
 
 void fillLane(ContactBlock& block, std::size_t lane, const Bodies& bodies, const Contact& contact,
               const LaneRules& rules) {
-    const std::pair<BodyVelocity, BodyVelocity> both = masses(bodies, contact, rules.shared);
-    const BodyVelocity& a = both.first;
-    const BodyVelocity& b = both.second;
+    const BodyVelocity& a = bodies.motion[contact.key.bodyA];
+    const BodyVelocity& b = bodies.motion[contact.key.bodyB];
     const Manifold& manifold = contact.manifold;
     const Vec2 n = manifold.normal;
     block.normalX[lane] = n.x;
@@ -90,9 +74,8 @@ void fillLane(ContactBlock& block, std::size_t lane, const Bodies& bodies, const
 
 void fillLane(SurfaceBlock& surface, ContactBlock& block, std::size_t lane, const Bodies& bodies,
               const Contact& contact, const LaneRules& rules) {
-    const std::pair<BodyVelocity, BodyVelocity> both = masses(bodies, contact, rules.shared);
-    const BodyVelocity& a = both.first;
-    const BodyVelocity& b = both.second;
+    const BodyVelocity& a = bodies.motion[contact.key.bodyA];
+    const BodyVelocity& b = bodies.motion[contact.key.bodyB];
     const bool rolls =
         rules.rolling && contact.material.rollingResistance > 0 && a.invInertia + b.invInertia > 0;
     surface.rollingLever[lane] = rolls ? rollingLever(contact, a, b) : Real(0);

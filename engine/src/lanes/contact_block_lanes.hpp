@@ -12,8 +12,7 @@ inline namespace KODO_PRECISION {
 /// Values common to the lanes of a block.
 struct LaneRules {
     Real pushSpeed; // m/s
-    Shared shared;
-    bool rolling; // Feature::RollingResistance is on
+    bool rolling;   // Feature::RollingResistance is on
 };
 
 /// Writes the coefficients of a contact into its lane, except its bodies. The sums of the step

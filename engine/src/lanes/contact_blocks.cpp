@@ -166,19 +166,8 @@ void ContactBlocks::colourNewcomer(const Bodies& bodies, const ContactEntry& ent
     const auto colour = static_cast<std::uint32_t>(std::countr_one(taken));
     if (colour == BlockBins::kColours || (colour >= kFreeColours && !onLocked)) {
         const std::uint32_t group = onLocked ? BlockBins::kGroups - 1 : kFreeColours;
-        const std::uint64_t allowed = onLocked ? ~kFree : kFree;
-        // In a crowd both bodies have many contacts: copies would push them apart too far.
-        const auto isFull = [&](std::uint32_t body) {
-            return (colours_[body] & allowed) == allowed;
-        };
-        const auto hasFew = [&](std::uint32_t body) {
-            return std::popcount(colours_[body]) <= kFewColours;
-        };
         ++uncoloured_;
-        assignUncolouredLane(entry, binOf(group, entry),
-                             isFull(a) && !row.fixedA && hasFew(b)   ? Shared::BodyA
-                             : isFull(b) && !row.fixedB && hasFew(a) ? Shared::BodyB
-                                                                     : Shared::None);
+        assignSingleLane(entry, binOf(group, entry));
     } else {
         row.colour = static_cast<std::uint8_t>(colour);
         colours_[a] |= row.fixedA ? 0 : std::uint64_t{1} << colour;
@@ -215,10 +204,6 @@ void ContactBlocks::rearrange(const Bodies& bodies, const ContactList& contacts,
         summary.kept =
             summary.row.colour != ContactRow::kNoColour && lane(slot, summary).impacts() == 0;
     }
-    for (const std::uint32_t body : sharedBodies_) {
-        sharedOf_[body] = kNone;
-    }
-    sharedBodies_.clear();
     if (std::exchange(orderStale_, false)) {
         passOrder_.build(states_);
     }
@@ -255,7 +240,7 @@ void ContactBlocks::fill(const Bodies& bodies, const ContactEntry& entry) {
     const std::size_t lane = laneOf(row);
     ContactBlock& block = blocks_[blockOf(row)];
     BlockUse& use = use_[blockOf(row)];
-    const LaneRules rules{pushLimit_.speed, use.shared, features_.rolling};
+    const LaneRules rules{pushLimit_.speed, features_.rolling};
     fillLane(block, lane, bodies, contact, rules);
     if (contact.material.staticFriction > contact.material.kineticFriction ||
         contact.material.surfaceSpeed != 0) {

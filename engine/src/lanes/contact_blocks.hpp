@@ -26,8 +26,8 @@ inline namespace KODO_PRECISION {
 /// colour by colour. Contacts with a body of infinite mass come last, so that they dominate.
 ///
 /// A contact keeps its colour and its lane from step to step. Results depend on colours only, not
-/// on lanes, so a snapshot stores only colours. A contact without a free colour gets a lane in a
-/// block for its body, or a block of its own, newly assigned in every step. A contact that the
+/// on lanes, so a snapshot stores only colours. A contact without a free colour gets a
+/// block of its own, newly assigned in every step. A contact that the
 /// passes do not need has a waiting lane, which no pass visits, at the index of its slot.
 class ContactBlocks : public ContactLanes {
 public:
@@ -124,7 +124,6 @@ public:
 
 private:
     static constexpr std::uint32_t kFreeColours = BlockBins::kFreeColours;
-    static constexpr int kFewColours = 12; // of the other bodies of a shared one
     static constexpr std::uint32_t kNone = ContactRow::kNone;
     static constexpr std::size_t kBlocksPerPiece = 32;
     static constexpr std::size_t kFewBlocks = 256;         // so many are never forgotten
@@ -161,7 +160,7 @@ private:
     std::uint32_t addBlock(std::uint32_t bin, std::uint8_t partition);
     std::uint32_t openBlock(std::uint32_t bin, std::uint8_t partition);
     void assignLane(const ContactEntry& entry, std::uint32_t bin);
-    void assignUncolouredLane(const ContactEntry& entry, std::uint32_t bin, Shared shared);
+    void assignSingleLane(const ContactEntry& entry, std::uint32_t bin);
     void assignLaneOf(std::uint32_t block, const ContactEntry& entry);
     void release(std::uint32_t row);
     void empty(std::uint32_t row);
@@ -186,8 +185,6 @@ private:
     PassOrder passOrder_;
     std::array<std::size_t, kLevels> rows_{}; // by level: lanes in use
     std::size_t uncoloured_ = 0;              // lanes in use without a colour
-    std::vector<std::uint32_t> sharedOf_;     // by body without a free colour: its open block
-    std::vector<std::uint32_t> sharedBodies_; // scratch of arrange(): bodies in sharedOf_
     std::vector<std::uint8_t> refinedLevels_; // by body; empty if all are 0
     std::vector<std::uint8_t> taken_;         // by row: taken in this step
     std::vector<std::uint8_t> touching_;      // by row: touched in the last step

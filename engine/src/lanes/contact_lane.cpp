@@ -39,7 +39,6 @@ void ContactBlocks::advance(Bodies& bodies, WorkerTeam& team) {
     // In the step after bodies were added, so that no first contact costs a step as much as all.
     if (colours_.size() != bodies.size()) {
         resizeByBody(colours_, bodies);
-        resizeByBody(sharedOf_, bodies, kNone); // all kNone between steps
         if (!refinedLevels_.empty()) {
             resizeByBody(refinedLevels_, bodies);
         }

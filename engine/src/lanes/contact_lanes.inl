@@ -25,64 +25,6 @@ KODO_LANES_INLINE void push(Pair& pair, Lanes x, Lanes y, Lanes impulse) {
     pair.b.y += (pair.b.w * y) * impulse;
 }
 
-/// Copies of a shared body by lane; see Shared.
-struct Copies {
-    ContactBlock::Each x, y, z; // velocity (m/s), angular velocity (rad/s)
-};
-
-/// Gives the shared bodies of kLanes contacts the masses of copies.
-template <bool isShared>
-KODO_LANES_INLINE void splitMass(Pair& pair, Shared shared) {
-    constexpr Real kCopies = ContactBlock::kContacts;
-    if constexpr (!isShared) {
-        return;
-    }
-    if (shared == Shared::BodyA) {
-        pair.a.w *= all(kCopies);
-        pair.inertiaA *= all(kCopies);
-    } else {
-        pair.b.w *= all(kCopies);
-        pair.inertiaB *= all(kCopies);
-    }
-}
-
-/// Writes the velocities of all bodies; those of a shared body to its copies.
-template <bool isShared>
-KODO_LANES_INLINE void putBackPair(const Pair& pair, const ContactBlock& block, int at,
-                                   BodyVelocity* motion, const BlockUse& use, Copies& copies) {
-    if constexpr (!isShared) {
-        putBack(motion, block.a + at, pair.a, use.movesA, at);
-        putBack(motion, block.b + at, pair.b, use.movesB, at);
-        return;
-    }
-    const bool isA = use.shared == Shared::BodyA;
-    const Quad& own = isA ? pair.a : pair.b;
-    store(copies.x + at, own.x);
-    store(copies.y + at, own.y);
-    store(copies.z + at, own.z);
-    if (isA) {
-        putBack(motion, block.b + at, pair.b, use.movesB, at);
-    } else {
-        putBack(motion, block.a + at, pair.a, use.movesA, at);
-    }
-}
-
-/// Exact if all values are equal, whatever their number of digits.
-KODO_LANES_INLINE Real meanOf(const Real* copies) {
-    return (((copies[0] + copies[1]) + (copies[2] + copies[3])) +
-            ((copies[4] + copies[5]) + (copies[6] + copies[7]))) /
-           ContactBlock::kContacts;
-}
-
-KODO_LANES_INLINE void averageCopies(const ContactBlock& block, BodyVelocity* motion,
-                                     const BlockUse& use, const Copies& copies) {
-    const std::uint32_t place = use.shared == Shared::BodyA ? block.a[0] : block.b[0];
-    Real* const speed = firstHalf(motion) + place;
-    speed[0] = meanOf(copies.x);
-    speed[1] = meanOf(copies.y);
-    speed[2] = meanOf(copies.z);
-}
-
 /// Prefetch distance in blocks, for blocks outside the near cache. 4 and 8 are as fast.
 constexpr std::size_t kBlocksAhead = 6;
 

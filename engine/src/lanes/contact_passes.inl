@@ -54,7 +54,6 @@ struct Rules {
     Real massScale;
     const PassSettings& settings;
     const BlockUse& use;
-    Copies& copies;
 };
 
 /// Bodies, and how an impulse at a point turns them.
@@ -156,13 +155,16 @@ KODO_LANES_INLINE void solveRolling(const SurfaceBlock* surface, ContactBlock& b
 }
 
 /// The velocities of kLanes contacts. `inertias`: 1/inertia of bodies a and b.
-template <bool isShared>
 KODO_LANES_INLINE Pair gatherPair(const ContactBlock& block, int at, BodyVelocity* motion,
-                                  const Couple& inertias, Shared shared) {
-    Pair pair{gather(firstHalf(motion), block.a + at), gather(firstHalf(motion), block.b + at),
-              inertias.x, inertias.y};
-    splitMass<isShared>(pair, shared);
-    return pair;
+                                  const Couple& inertias) {
+    return {gather(firstHalf(motion), block.a + at), gather(firstHalf(motion), block.b + at),
+            inertias.x, inertias.y};
+}
+
+KODO_LANES_INLINE void putBackPair(const Pair& pair, const ContactBlock& block, int at,
+                                   BodyVelocity* motion, const BlockUse& use) {
+    putBack(motion, block.a + at, pair.a, use.movesA, at);
+    putBack(motion, block.b + at, pair.b, use.movesB, at);
 }
 
 /// Solves kLanes contacts from the velocities before this visit. An impulse d1 at the first point
@@ -175,14 +177,14 @@ KODO_LANES_INLINE Pair gatherPair(const ContactBlock& block, int at, BodyVelocit
 /// t is the tangent; k1t has no 1/m since tangent and normal are perpendicular. k2t is the same for
 /// the second point. So the result is that of sequential impulses, with a short dependency chain.
 /// The function is not split: the compiler would keep a struct of these values in memory.
-template <Task task, int points, bool isShared, bool rare>
+template <Task task, int points, bool rare>
 KODO_LANES_INLINE void solveLanes(ContactBlock& block, const SurfaceBlock* surface, int at,
                                   BodyVelocity* motion, const Rules& rules) {
     const Lanes nx = load(block.normalX + at);
     const Lanes ny = load(block.normalY + at);
     const Quad moveA = gather(secondHalf(motion), block.a + at);
     const Quad moveB = gather(secondHalf(motion), block.b + at);
-    Pair pair = gatherPair<isShared>(block, at, motion, {moveA.w, moveB.w}, rules.use.shared);
+    Pair pair = gatherPair(block, at, motion, {moveA.w, moveB.w});
     ContactBlock::Point& point1 = block.points[0];
     ContactBlock::Point& point2 = block.points[points - 1]; // the first again if there is one
     const Turning line1 = turning(pair, point1.leverA + at, point1.leverB + at);
@@ -233,29 +235,25 @@ KODO_LANES_INLINE void solveLanes(ContactBlock& block, const SurfaceBlock* surfa
     }
     solveRolling(surface, block, at, pair, sum);
     addTotal<task>(block, at, sum, rules.settings.kept);
-    putBackPair<isShared>(pair, block, at, motion, rules.use, rules.copies);
+    putBackPair(pair, block, at, motion, rules.use);
 }
 
-template <Task task, int points, bool isShared, bool rare = false>
+template <Task task, int points, bool rare = false>
 KODO_LANES_INLINE void solveBlock(ContactBlock& block, const SurfaceBlock* surface,
                                   BodyVelocity* motion, const Rules& rules) {
     for (int at = 0; at < ContactBlock::kContacts; at += kLanes) {
-        solveLanes<task, points, isShared, rare>(block, surface, at, motion, rules);
-    }
-    if constexpr (isShared) {
-        averageCopies(block, motion, rules.use, rules.copies);
+        solveLanes<task, points, rare>(block, surface, at, motion, rules);
     }
 }
 
-/// solveBlock() for a block with a shared body, or in the relax pass for one with rareFriction.
-/// Not inlined: both are rare.
-template <Task task, bool isShared, bool rare>
+/// solveBlock() in the relax pass for a block with rareFriction. Not inlined, as it is rare.
+template <Task task>
 __attribute__((noinline)) void solveRare(ContactBlock& block, const SurfaceBlock* surface,
                                          BodyVelocity* motion, const Rules& rules) {
     if (rules.use.twoPoints) {
-        solveBlock<task, 2, isShared, rare>(block, surface, motion, rules);
+        solveBlock<task, 2, true>(block, surface, motion, rules);
     } else {
-        solveBlock<task, 1, isShared, rare>(block, surface, motion, rules);
+        solveBlock<task, 1, true>(block, surface, motion, rules);
     }
 }
 
@@ -268,20 +266,15 @@ void solveBlocks(const ContactPassArguments& pass) {
         const std::size_t i = pass.order[k];
         const BlockUse& use = pass.use[i];
         const Softness& soft = use.onLocked ? settings.onLocked : settings.soft;
-        Copies copies;
-        const Rules rules{soft.biasRate, soft.massScale, settings, use, copies};
+        const Rules rules{soft.biasRate, soft.massScale, settings, use};
         const SurfaceBlock* const surface = use.surface < 0 ? nullptr : pass.surfaces + use.surface;
         ContactBlock& block = pass.blocks[i];
-        const bool rare = task == Task::Relax && use.rareFriction;
-        if (use.shared != Shared::None) {
-            (rare ? solveRare<task, true, task == Task::Relax>
-                  : solveRare<task, true, false>)(block, surface, pass.motion, rules);
-        } else if (rare) {
-            solveRare<task, false, task == Task::Relax>(block, surface, pass.motion, rules);
+        if (task == Task::Relax && use.rareFriction) {
+            solveRare<Task::Relax>(block, surface, pass.motion, rules);
         } else if (use.twoPoints) {
-            solveBlock<task, 2, false>(block, surface, pass.motion, rules);
+            solveBlock<task, 2>(block, surface, pass.motion, rules);
         } else {
-            solveBlock<task, 1, false>(block, surface, pass.motion, rules);
+            solveBlock<task, 1>(block, surface, pass.motion, rules);
         }
     }
 }
@@ -292,15 +285,10 @@ void warmStartBlocks(const ContactPassArguments& pass) {
         const std::size_t i = pass.order[k];
         ContactBlock& block = pass.blocks[i];
         const BlockUse& use = pass.use[i];
-        Copies copies;
         for (int at = 0; at < ContactBlock::kContacts; at += kLanes) {
-            Pair pair{gather(firstHalf(pass.motion), block.a + at),
-                      gather(firstHalf(pass.motion), block.b + at),
-                      gather(secondHalf(pass.motion), block.a + at).w,
-                      gather(secondHalf(pass.motion), block.b + at).w};
-            if (use.shared != Shared::None) {
-                splitMass<true>(pair, use.shared);
-            }
+            Pair pair = gatherPair(block, at, pass.motion,
+                                   {gather(secondHalf(pass.motion), block.a + at).w,
+                                    gather(secondHalf(pass.motion), block.b + at).w});
             const Lanes nx = load(block.normalX + at);
             const Lanes ny = load(block.normalY + at);
             const Lanes friction = load(block.friction + at);
@@ -316,14 +304,7 @@ void warmStartBlocks(const ContactPassArguments& pass) {
             spin(pair,
                  momentBy(block.points[0].leverA, block.points[1].leverA, block.tangentLeverA),
                  momentBy(block.points[0].leverB, block.points[1].leverB, block.tangentLeverB));
-            if (use.shared != Shared::None) {
-                putBackPair<true>(pair, block, at, pass.motion, use, copies);
-            } else {
-                putBackPair<false>(pair, block, at, pass.motion, use, copies);
-            }
-        }
-        if (use.shared != Shared::None) {
-            averageCopies(block, pass.motion, use, copies);
+            putBackPair(pair, block, at, pass.motion, use);
         }
     }
 }
