@@ -148,11 +148,11 @@ TEST(Collapse, IsToldInWordsAndInTheResults) {
 
 TEST(Collapse, IsSlowedByTheSettingOfSlowMotion) {
     const auto framesOf = [](int slow) {
-        StageDef def = played("card_house");
+        StageDef def = played("stilts");
         def.profile.settings.slow = slow;
         StageRig rig(def);
         int frames = 0;
-        while (frames < 6000 && rig.stage.game().collapse().largest < 20) {
+        while (frames < 6000 && rig.stage.game().collapse().largest < 15) {
             rig.frame();
             ++frames;
         }

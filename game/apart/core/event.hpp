@@ -141,8 +141,9 @@ struct LetGo {
 struct Landed {
     kodo::BodyId block;
     Stuff stuff = Stuff::Brick;
-    kodo::Vec2 point; // its centre
+    kodo::Vec2 point; // where it touched; its centre if it did not land
     int points = 0;
+    kodo::Real impulse = 0; // N s, of the landing; 0: it did not land
 };
 /// The last core of the boss broke or fell.
 struct BossDown {
@@ -197,7 +198,7 @@ struct LoopSeen {
 struct Collapsed {
     int blocks = 0;
     int points = 0;   // of these blocks, already in the score
-    kodo::Vec2 point; // mean of their places
+    kodo::Vec2 point; // mean of the places where they landed or broke
 };
 /// A joint of the level broke.
 struct Snapped {

@@ -20,10 +20,8 @@ void conclude(GameState& game) {
     if (game.result != Result::Playing) {
         return;
     }
-    const auto falls = [](const Block& block) { return block.due > 0; };
     if (game.counts.blocksLeft == 0) {
-        const bool quiet = game.tick - game.collapse.lastTick > kCollapseGap;
-        if (!quiet && std::any_of(game.blocks.begin(), game.blocks.end(), falls)) {
+        if (game.tick - game.collapse.lastTick <= kLastFallTicks && game.falls()) {
             return; // no ball is needed any more
         }
         landAll(game);

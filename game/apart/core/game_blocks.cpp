@@ -148,7 +148,7 @@ void watchProgress(GameState& game) {
         return;
     }
     const bool fails = game.result == Result::Playing && !game.serving() && game.clock.tick(hurry);
-    if (fails && (game.armed() || game.clock.idleTicks() >= kHollowFailTicks)) {
+    if (fails && game.armed()) {
         letGoNext(game, LetGo::Why::Fatigue);
     } else if (game.field.tornSpeed >= kTornSpeed) {
         letGoNext(game, LetGo::Why::Torn);

@@ -68,6 +68,7 @@ std::size_t lowestLeft(const GameState& game) {
 } // namespace
 
 static void findCarriers(GameState& game);
+static void rest(GameState& game, Block& block);
 static void crumble(GameState& game);
 static void watchLinks(GameState& game);
 static void dropLinks(GameState& game, BodyId body);
@@ -81,16 +82,19 @@ void watchBuildings(GameState& game) {
         findCarriers(game);
     }
     for (std::size_t i = 0; i < game.blocks.size(); ++i) {
+        const kodo::BodyView body = std::as_const(game.world)[game.blocks[i].body];
+        if (game.blocks[i].support == Support::Fallen && body.isAsleep()) {
+            rest(game, game.blocks[i]);
+        }
         if (game.blocks[i].support != Support::Standing) {
             continue;
         }
-        const kodo::BodyView body = std::as_const(game.world)[game.blocks[i].body];
         if (!body.isAsleep() && hasFallen(game, game.blocks[i])) {
             markFallen(game, i, LetGo::Why::Toppled);
         }
     }
     const bool quiet = game.tick - game.collapse.lastTick > kCollapseGap;
-    if (game.collapse.blocks > 0 && quiet && game.counts.blocksLeft > 0) {
+    if (game.collapse.blocks > 0 && quiet && game.counts.blocksLeft > 0 && !game.falls()) {
         endCollapse(game);
     }
     crumble(game);
@@ -163,13 +167,34 @@ void crumble(GameState& game) {
     }
 }
 
-void land(GameState& game, Block& block) {
+/// Rubble that has come to rest has landed. In a level with ground it stays until it is moved, and
+/// for half of its lifetime at least from then on.
+void rest(GameState& game, Block& block) {
+    land(game, block);
+    if (hasGround(*game.level)) {
+        block.looseTick =
+            std::max(block.looseTick + kFallenTicks / 2, game.tick) - kFallenTicks / 2;
+    }
+}
+
+bool GameState::falls() const {
+    return std::any_of(blocks.begin(), blocks.end(),
+                       [](const Block& block) { return block.due > 0; });
+}
+
+/// `impact`: with what it landed on; nullptr: it came to rest, broke or left.
+void land(GameState& game, Block& block, const kodo::CollisionRecord* impact) {
     if (block.due > 0) {
+        const Vec2 place = impact != nullptr ? impact->point : game.frameOf(block).position;
+        ++game.collapse.landed;
+        game.collapse.sum += place;
         game.counts.score += block.due;
-        game.events.emplace_back(Landed{.block = block.body,
-                                        .stuff = block.kind.stuff,
-                                        .point = game.frameOf(block).position,
-                                        .points = std::exchange(block.due, 0)});
+        game.events.emplace_back(
+            Landed{.block = block.body,
+                   .stuff = block.kind.stuff,
+                   .point = place,
+                   .points = std::exchange(block.due, 0),
+                   .impulse = impact != nullptr ? impact->totalImpulse : Real(0)});
     }
 }
 
@@ -178,7 +203,7 @@ void markFallen(GameState& game, std::size_t index, LetGo::Why why) {
     Block& block = game.blocks[index];
     const Vec2 place = game.frameOf(block).position;
     if (block.counts()) {
-        block.due = addToCollapse(game, block, place);
+        block.due = addToCollapse(game, block);
         --game.counts.blocksLeft;
     }
     if (why == LetGo::Why::Toppled) {
@@ -200,13 +225,12 @@ void markFallen(GameState& game, std::size_t index, LetGo::Why why) {
 /// Its own points times the number of blocks in this collapse, or times the combo if that is
 /// larger. Before the first serve nothing is worth points, and nothing is multiplied once the
 /// building is down.
-std::int32_t addToCollapse(GameState& game, const Block& block, Vec2 place) {
+std::int32_t addToCollapse(GameState& game, const Block& block) {
     if (game.counts.hits == 0) {
         return 0;
     }
     ++game.collapse.blocks;
     game.collapse.lastTick = game.tick;
-    game.collapse.sum += place;
     game.collapse.largest = std::max(game.collapse.largest, game.collapse.blocks);
     const std::int32_t chain = std::max(game.collapse.blocks, game.counts.combo);
     const std::int32_t factor = game.counts.isDown() ? 1 : std::min(chain, kMostCombo);
@@ -217,7 +241,8 @@ std::int32_t addToCollapse(GameState& game, const Block& block, Vec2 place) {
 
 void endCollapse(GameState& game) {
     if (game.collapse.blocks >= kLeastCollapse) {
-        const Vec2 middle = game.collapse.sum / static_cast<Real>(game.collapse.blocks);
+        const Vec2 middle =
+            game.collapse.sum / static_cast<Real>(std::max(game.collapse.landed, 1));
         game.events.emplace_back(Collapsed{game.collapse.blocks, game.collapse.points, middle});
     }
     game.collapse = {.largest = game.collapse.largest};

@@ -44,8 +44,9 @@ void governBall(GameState& game, Ball& ball) {
             carried = carried || game.canCarry(hit.other(ball.body));
         }
     }
-    const bool quick = game.clock.idleTicks() > kQuickTicks && game.mode == Mode::Standard &&
-                       game.world[ball.body].position().y > kQuickHeight;
+    const bool idle = ball.hollow || game.clock.idleTicks() > kQuickTicks;
+    const bool quick =
+        idle && game.mode == Mode::Standard && game.world[ball.body].position().y > kQuickHeight;
     const Real target = quick ? kQuickFactor * game.ballSpeed() : game.ballSpeed();
     const bool slow = length(game.world[ball.body].velocity()) < kSwallowed * game.ballSpeed();
     ball.carriedTicks = !slow ? 0 : carried ? ball.carriedTicks + 1 : ball.carriedTicks;

@@ -63,7 +63,8 @@ void add(kodo::StateHash& hash, const Obstruction& obstruction) {
 }
 
 void add(kodo::StateHash& hash, const Collapse& collapse) {
-    for (const std::int32_t number : {collapse.blocks, collapse.points, collapse.largest}) {
+    for (const std::int32_t number :
+         {collapse.blocks, collapse.points, collapse.landed, collapse.largest}) {
         hash.add(number);
     }
     hash.add(collapse.lastTick);

@@ -158,7 +158,7 @@ void judgeBlock(GameState& game, const CollisionRecord& hit, BodyId body) {
     }
     if (block.support == Support::Fallen && hit.approachSpeed > kLandingSpeed &&
         normalTowards(hit, body).y > Real(0.5)) {
-        land(game, block);
+        land(game, block, &hit);
     }
     // A resting load on a block of a building is not an impact: its approach speed is small.
     const BodyId other = hit.other(body);
@@ -172,7 +172,12 @@ void judgeBlock(GameState& game, const CollisionRecord& hit, BodyId body) {
     if (block.counts()) {
         game.clock.progress();
     }
-    if (hit.maxPointImpulse() > block.strengthLeft) {
+    const bool hollow =
+        byBall && std::any_of(game.balls.begin(), game.balls.end(),
+                              [&](const Ball& ball) { return ball.body == other && ball.hollow; });
+    const Real damage =
+        hollow ? std::min(hit.maxPointImpulse(), block.strengthLeft / 2) : hit.maxPointImpulse();
+    if (damage > block.strengthLeft) {
         const Vec2 impact = hit.totalImpulse * normalTowards(hit, body);
         if (block.support == Support::Boss) {
             game.boss.impacts.push_back({block.key, hit.point, impact});
@@ -181,7 +186,7 @@ void judgeBlock(GameState& game, const CollisionRecord& hit, BodyId body) {
         }
         return;
     }
-    block.strengthLeft -= hit.maxPointImpulse();
+    block.strengthLeft -= damage;
     const Real full = static_cast<Real>(block.kind.strength) / 1000;
     game.events.emplace_back(Cracked{.block = body,
                                      .key = block.key,

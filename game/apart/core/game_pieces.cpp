@@ -92,7 +92,9 @@ void breakBlock(GameState& game, std::size_t index, Vec2 point, Vec2 impact) {
 std::int32_t countBroken(GameState& game, const Block& block, Vec2 place) {
     --game.counts.blocksLeft;
     if (block.support == Support::Standing) {
-        const std::int32_t points = addToCollapse(game, block, place);
+        const std::int32_t points = addToCollapse(game, block);
+        ++game.collapse.landed;
+        game.collapse.sum += place;
         ++game.counts.combo;
         return points;
     }

@@ -48,9 +48,9 @@ void watchBuildings(GameState& game);
 void forgetLinks(GameState& game);
 void markFallen(GameState& game, std::size_t index, LetGo::Why why);
 /// Counts a standing block that fell or broke. Returns its points.
-std::int32_t addToCollapse(GameState& game, const Block& block, kodo::Vec2 place);
+std::int32_t addToCollapse(GameState& game, const Block& block);
 /// Scores the points of a fallen block.
-void land(GameState& game, Block& block);
+void land(GameState& game, Block& block, const kodo::CollisionRecord* impact = nullptr);
 void endCollapse(GameState& game);
 
 // game_water.cpp: water, which floats blocks and runs out through broken dams.

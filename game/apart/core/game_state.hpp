@@ -123,6 +123,7 @@ struct GameState {
     bool keeps() const;                       // Level::keep has not fallen; false without one
     bool serving() const;
     bool armed() const;           // a ball in play is not hollow
+    bool falls() const;           // a block has fallen, and not landed yet
     kodo::Real ballSpeed() const; // m/s
     std::uint64_t hash() const;
 };

@@ -72,7 +72,8 @@ struct Collapse {
     std::int32_t blocks = 0;    // 0: none is going on
     std::int32_t points = 0;    // of its blocks
     std::uint32_t lastTick = 0; // of its last block
-    kodo::Vec2 sum{};           // m, world; of the places of its blocks
+    std::int32_t landed = 0;    // of its blocks; they broke, landed or left
+    kodo::Vec2 sum{};           // m, world; of the places where they did
     std::int32_t largest = 0;   // most blocks of one collapse so far
 };
 

@@ -12,7 +12,7 @@ namespace apart {
 using kodo::Real;
 
 // To be raised whenever the same inputs give another game. Older replays are then refused.
-inline constexpr std::uint32_t kRulesVersion = 32;
+inline constexpr std::uint32_t kRulesVersion = 33;
 
 inline constexpr int kTicksPerSecond = 120;
 inline constexpr Real kTickSeconds = Real(1) / 120;
@@ -38,8 +38,9 @@ inline constexpr Real kEggLong = Real(0.42);    // from an egg's widest line to 
 inline constexpr Real kEggShort = Real(0.28);   // from its widest line to its blunt end
 inline constexpr Real kEggHalfWidth = Real(0.27);
 inline constexpr int kEggFacets = 20;
-// In a level with a building a served ball is hollow until a paddle that has moved since the serve
-// returns it: launching alone brings no building down.
+// In a level with a building or joints a served ball is hollow until a paddle that has moved since
+// the serve returns it. It cracks blocks, but breaks none, and no mount fails: launching alone
+// clears nothing.
 inline constexpr Real kHollowShare = Real(1) / 16; // of the mass
 inline constexpr Real kMovedWay = Real(0.01);      // m in a tick; then the paddle has moved
 inline constexpr Real kMostSpin = 25;              // rad/s; limit applied by the governor
@@ -62,7 +63,7 @@ inline constexpr Real kMostPressed = kBallRadius / 2; // m; deeper in a wall, a 
 inline constexpr Real kSwallowed = Real(0.7);         // share of speed; a slower ball is thrown off
 inline constexpr std::uint32_t kCarriedTicks = 20;    // slow on a dynamic body; then thrown off
 // After this time without damage a ball above this height flies faster, so that a miss costs
-// little.
+// little; a hollow one at once.
 inline constexpr std::uint32_t kQuickTicks = 108; // 0.9 s
 inline constexpr Real kQuickHeight = 4;           // m
 inline constexpr Real kQuickFactor = Real(1.65);
@@ -71,11 +72,10 @@ inline constexpr Real kFlatSine = Real(0.1908090);   // sine of 11 degrees
 inline constexpr Real kFlatCosine = Real(0.9816272); // cosine of 11 degrees
 
 // The progress clock, in ticks without damage.
-inline constexpr std::uint32_t kGlowTicks = 360;        // 3 s: targets glow
-inline constexpr std::uint32_t kShakeTicks = 660;       // 5.5 s: mounts shake
-inline constexpr std::uint32_t kFailTicks = 960;        // 8 s: the lowest mount fails
-inline constexpr std::uint32_t kHollowFailTicks = 2400; // 20 s: if all balls are hollow
-inline constexpr std::uint32_t kFailEvery = 240;        // 2 s: interval of further failures
+inline constexpr std::uint32_t kGlowTicks = 360;  // 3 s: targets glow
+inline constexpr std::uint32_t kShakeTicks = 660; // 5.5 s: mounts shake
+inline constexpr std::uint32_t kFailTicks = 960;  // 8 s: the lowest mount fails
+inline constexpr std::uint32_t kFailEvery = 240;  // 2 s: interval of further failures
 inline constexpr std::int32_t kLastBlocks = 3;    // at most so many left: the clock runs faster
 inline constexpr std::uint32_t kLastHurry = 2;    // factor of the clock for the last blocks
 inline constexpr Real kTornSpeed = 7;             // m/s that a pull would give a free block; then
@@ -151,11 +151,12 @@ inline constexpr Real kBuildingHertz = 120;       // contact stiffness in levels
 inline constexpr Real kHarmlessSpeed = Real(0.5); // m/s; a slower contact of blocks is no impact
 inline constexpr Real kFallenStrength =
     Real(0.4); // share of the strength that a fallen block keeps
-inline constexpr std::uint32_t kFallenTicks = 480; // 4 s: lifetime of a fallen block
-inline constexpr std::uint32_t kRubbleTicks = 180; // 1.5 s: lifetime of its shards
-inline constexpr std::uint32_t kCollapseGap = 120; // 1 s without another block ends a collapse
-inline constexpr std::int32_t kLeastCollapse = 3;  // blocks; a smaller collapse is no event
-inline constexpr std::uint32_t kTouchTicks = 12;   // 0.1 s: then contacts tell what carries a block
+inline constexpr std::uint32_t kFallenTicks = 480;   // 4 s: lifetime of a fallen block
+inline constexpr std::uint32_t kRubbleTicks = 180;   // 1.5 s: lifetime of its shards
+inline constexpr std::uint32_t kCollapseGap = 120;   // 1 s without another block ends a collapse
+inline constexpr std::uint32_t kLastFallTicks = 180; // 1.5 s; so long the end waits for a landing
+inline constexpr std::int32_t kLeastCollapse = 3;    // blocks; a smaller collapse is no event
+inline constexpr std::uint32_t kTouchTicks = 12; // 0.1 s: then contacts tell what carries a block
 inline constexpr Real kLandingSpeed = Real(1.5); // m/s, of a fallen block against what it lands on
 // A building is down once nothing has fallen for a while and the heights of its standing blocks
 // that are left, above the lowest one, add up to this share of the sum at the start. The rest then

@@ -183,13 +183,22 @@ void Juice::onEvent(const Game& game, const LetGo& let) {
 void Juice::onEvent(const Game& game, const Landed& landed) {
     const Vec2 seen{landed.point.x, std::max(landed.point.y, Real(1.2))};
     say(game, {"", seen, palette::kText, Real(0.45), landed.points});
-    debris_.add({landed.point, {0, 1}, faded(tints().of(landed.stuff), 1), 3, 1, 3, Real(1.1)},
+    const Real weight = weightOf(landed.impulse);
+    push(Real(0.12) * weight);
+    debris_.add({landed.point,
+                 {0, 1},
+                 faded(tints().of(landed.stuff), 1),
+                 3 + countFor(weight, 4),
+                 1 + countFor(weight, 4),
+                 3 + 3 * weight,
+                 Real(1.1) + Real(0.5) * weight},
                 share(settings_.particles));
 }
 
 void Juice::onEvent(const Game& game, const Collapsed& collapse) {
     const Real size = Real(0.6) + Real(0.06) * static_cast<Real>(std::min(collapse.blocks, 12));
-    say(game, {fallText(collapse.blocks), collapse.point, palette::kAccent, size});
+    const Vec2 seen{collapse.point.x, std::max(collapse.point.y, Real(3))};
+    say(game, {fallText(collapse.blocks), seen, palette::kAccent, size});
     push(Real(0.04) * static_cast<Real>(std::min(collapse.blocks, 12)));
     if (collapse.blocks >= kGreatFall) {
         flashes_.light(palette::kAccent, 0.25f);

@@ -59,7 +59,7 @@ void paintGround(Canvas& canvas, const Mapping& mapping, const ObstructionDef& d
         for (const kodo::Polygon& piece : polygonsOf(solidOf(def))) {
             std::vector<Vec2> corners;
             std::transform(piece.corners.begin(), piece.corners.end(), std::back_inserter(corners),
-                           [&](Vec2 corner) { return mapping.at(corner); });
+                           [&](Vec2 corner) { return mapping.at(mapping.held(corner)); });
             canvas.polygon(corners, palette::kTurf[static_cast<std::size_t>(def.turf)]);
         }
         return;

@@ -250,8 +250,7 @@ std::vector<HintGroup> titleGroups(const Canvas& canvas, const Level& level) {
 void paintServeHint(Canvas& canvas, const Game& game, const Bindings& keys) {
     const bool falls =
         std::any_of(game.blocks().begin(), game.blocks().end(), [&](const Block& block) {
-            return block.support == Support::Fallen &&
-                   game.ticks() < block.looseTick + 5 * kTicksPerSecond;
+            return block.support == Support::Fallen && !game.world()[block.body].isAsleep();
         });
     if (!game.serving() || game.result() != Result::Playing || falls) {
         return; // not over what falls

@@ -99,7 +99,9 @@ Note noteFor(const Breached& breach) {
     return {Voice::Gush, 1, 0.9f, panOf(breach.point)};
 }
 Note noteFor(const Landed& landed) {
-    return {voiceOf(landed.stuff), 0.5f, 0.35f, panOf(landed.point)};
+    const float weight = weightOf(landed.impulse);
+    return {voiceOf(landed.stuff), 0.5f - 0.1f * weight, 0.45f + 0.55f * weight,
+            panOf(landed.point)};
 }
 Note noteFor(const BossDown& down) {
     return {Voice::Boss, 1, 1, panOf(down.point)};
@@ -156,7 +158,7 @@ float massPitch(float mass) {
 }
 
 SoundScene sceneOf(const Game& game) {
-    constexpr float kRoar = 30;    // kg m/s, of the loudest rumble
+    constexpr float kRoar = 20;    // kg m/s, of the loudest rumble
     constexpr float kRow = 8;      // blocks of the highest combo
     constexpr kodo::Real kLow = 4; // m, height from which on a falling ball is in danger
     SoundScene scene;

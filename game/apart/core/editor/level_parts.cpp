@@ -45,6 +45,9 @@ Aabb boundsOf(const ObstructionDef& def) {
         return boundsOf(placedShapeOf(
             {.x = def.x, .y = def.y, .turn = def.turn, .width = def.size, .height = def.height}));
     }
+    if (!def.points.empty()) {
+        return kodo::aabbOf(std::span<const Vec2>(outlineOf(def)));
+    }
     if (def.kind == ObstructionKind::Ground) {
         const auto last = static_cast<std::int32_t>(def.heights.size()) - 1;
         const std::int32_t top = *std::max_element(def.heights.begin(), def.heights.end());

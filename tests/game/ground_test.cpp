@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// Falls onto ground, and the hollow ball of the serve.
+#include <game/game_access.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace {
+
+using namespace apart;
+
+/// A column of three squares on a ledge at y = 8 m, above ground at y = 4 m.
+Level columnAboveGround(const std::string& stuff) {
+    return levelFrom(R"(format = 1
+title = "t"
+idea = "i"
+[legend.b]
+stuff = ")" + stuff + R"("
+hold = "standing"
+[[ledge]]
+x = 0
+y = 7800
+width = 10000
+[[block]]
+kind = "b"
+shape = "square"
+x = 4000
+y = 8400
+rows = 3
+row-step = [0, 800]
+[[ground]]
+points = [[-11500, 3000], [11500, 3000], [11500, 4000], [-11500, 4000]]
+)");
+}
+
+void playOn(Game& game, int ticks) {
+    for (int i = 0; i < ticks; ++i) {
+        game.tick({});
+    }
+}
+
+bool hasDropped(const Block& block) {
+    return block.support == Support::Fallen;
+}
+
+TEST(Game, AHollowBallCracksButBreaksNothing) {
+    Game game(columnAboveGround("glass"), 1);
+    game.tick({.launch = true});
+    kodo::BodyRef ball = GameTestAccess::world(game)[game.balls()[0].body];
+    ball.setPosition({4, 14});
+    ball.setVelocity({0, -12});
+    bool cracked = false;
+    for (int i = 0; i < 60; ++i) {
+        game.tick({});
+        for (const Event& event : game.events()) {
+            cracked = cracked || std::holds_alternative<Cracked>(event);
+            EXPECT_FALSE(std::holds_alternative<Broke>(event));
+        }
+    }
+    EXPECT_TRUE(cracked);
+    EXPECT_TRUE(game.balls()[0].hollow);
+}
+
+/// Three blocks fall 4 m to the ground.
+Game fallenToGround() {
+    Game game(columnAboveGround("stone"), 1);
+    playOn(game, 60);
+    GameTestAccess::countHit(game);
+    for (const std::size_t i : {0u, 1u, 2u}) {
+        GameTestAccess::world(game)[game.blocks()[i].body].setVelocity({6, 0});
+    }
+    return game;
+}
+
+TEST(Rubble, StaysOnGroundWhereItHasComeToRest) {
+    Game game = fallenToGround();
+    playOn(game, 3 * static_cast<int>(kFallenTicks));
+    EXPECT_GE(std::count_if(game.blocks().begin(), game.blocks().end(), hasDropped),
+              2); // one broke as it landed
+}
+
+TEST(Collapse, IsToldAfterTheLastLandingAndOverTheHeap) {
+    Game game = fallenToGround();
+    std::uint32_t landed = 0; // tick of the last landing
+    int landings = 0;
+    for (int i = 0; i < 400; ++i) {
+        game.tick({});
+        for (const Event& event : game.events()) {
+            if (const auto* block = std::get_if<Landed>(&event)) {
+                landed = game.ticks();
+                ++landings;
+                EXPECT_GT(block->impulse, 0);
+            }
+            if (const auto* told = std::get_if<Collapsed>(&event)) {
+                EXPECT_EQ(landings, 3);
+                EXPECT_GE(game.ticks(), landed);
+                EXPECT_LT(told->point.y, 6);
+                EXPECT_GT(told->point.x, 5);
+                return;
+            }
+        }
+    }
+    FAIL() << "no collapse was told";
+}
+
+} // namespace
