@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Checks that the changelog and kodo/version.hpp name one version, that versions fall from the top,
-and that all below the first are closed by a date. --tag vX.Y.Z also asks that the first is closed and has
+"""Checks that the changelog, kodo/version.hpp and the lines find_package(kodo ...) of all pages name one
+version, that versions fall from the top, and that all below the first are closed by a date. --tag vX.Y.Z also asks that the first is closed and has
 that name; --notes prints its text, for a release. Exit code 0: all are well, 1: something is not."""
 import argparse
 import datetime
@@ -10,6 +10,7 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+PACKAGE = re.compile(r"find_package\(kodo (\d+)\.(\d+)")
 HEADING = re.compile(r"^## (\d+)\.(\d+)\.(\d+) - (.+)$", re.M)
 
 
@@ -45,6 +46,10 @@ def main():
         bad.append(f"version.hpp declares {'.'.join(map(str, declared))}, the changelog begins with {name}.")
     if versions != sorted(set(versions), reverse=True):
         bad.append("The versions of the changelog do not fall from the top.")
+    for page in [ROOT / "README.md", *ROOT.glob("engine/**/*.md")]:
+        for found in PACKAGE.finditer(page.read_text(encoding="utf-8")):
+            if tuple(map(int, found.groups())) != versions[0][:2]:
+                bad.append(f"{page.relative_to(ROOT)} says {found[0]}: {name} does not accept that.")
     for version, heading in zip(versions[1:], headings[1:]):
         if not dated(heading[4]):
             bad.append(f"{'.'.join(map(str, version))} has no date such as 2026-11-28: {heading[4]!r}.")
