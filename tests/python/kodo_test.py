@@ -229,6 +229,30 @@ class Errors(unittest.TestCase):
         with self.assertRaises(TypeError):
             world.add_joint(box)
 
+    def test_values_of_a_wrong_kind_are_told_with_the_value(self):
+        world, (box, *_) = falling_boxes()
+        with self.assertRaisesRegex(TypeError, r"two numbers, \(x, y\), but is 3$"):
+            world.add(position=3)
+        with self.assertRaisesRegex(TypeError, r"two numbers, \(x, y\), but is \(1, 2, 3\)$"):
+            box.apply_impulse((1, 2, 3))
+        with self.assertRaisesRegex(TypeError, r"material.*but is 0\.5$"):
+            world.add(material=0.5)
+        for change in (lambda: world.add(flags=1 << 64), lambda: setattr(box, "flags", -1)):
+            with self.assertRaisesRegex(ValueError, "^flags: must have bits 0 to 63"):
+                change()
+        with self.assertRaisesRegex(ValueError, "required"):
+            box.required = 1 << 64
+
+    def test_worlds_refuse_a_count_of_zero_unknown_bodies_and_text(self):
+        world, boxes = falling_boxes()
+        with self.assertRaisesRegex(ValueError, "count: must be at least 1, but is 0"):
+            kodo.Worlds(world, 0, boxes)
+        with self.assertRaises((TypeError, ValueError)):
+            kodo.Worlds(world, 2, boxes).apply_loads("x")
+        boxes[0].remove()
+        with self.assertRaisesRegex(kodo.BadBodyId, "not in this World"):
+            kodo.Worlds(world, 2, boxes)
+
     def test_a_world_twice_in_a_list_is_wrong_use(self):
         world, boxes = falling_boxes()
         worlds = kodo.Worlds(world, 2, boxes)

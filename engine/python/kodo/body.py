@@ -10,8 +10,8 @@ from . import _structs as c
 from ._library import Real, call
 from .shapes import BuiltShape, MassDef, Part, Primitive, from_shape, to_mass
 from .values import (Aabb, BodyId, BodyType, Filter, Material, Transform, Vec2, from_aabb, from_body_id,
-                     from_material, from_transform, from_vec2, to_body_id, to_filter, to_material,
-                     to_rot, to_vec2)
+                     from_material, from_transform, from_vec2, to_bits, to_body_id, to_filter,
+                     to_material, to_rot, to_vec2)
 
 if TYPE_CHECKING:
     from .world import World
@@ -115,7 +115,7 @@ class Body:
 
     @flags.setter
     def flags(self, flags: int) -> None:
-        self._call("kodo_setFlags", ctypes.c_uint64(flags))
+        self._call("kodo_setFlags", ctypes.c_uint64(to_bits("flags", flags)))
 
     @property
     def required(self) -> int:
@@ -124,7 +124,7 @@ class Body:
 
     @required.setter
     def required(self, required: int) -> None:
-        self._call("kodo_setRequired", ctypes.c_uint64(required))
+        self._call("kodo_setRequired", ctypes.c_uint64(to_bits("required", required)))
 
     @property
     def group(self) -> int:
@@ -309,7 +309,7 @@ class Body:
     def unweld(self, part: int, flags: Optional[int] = None) -> Body:
         """Makes a part a body of its own. With flags, a dynamic one with these flags."""
         added = c.BodyId()
-        given = None if flags is None else byref(ctypes.c_uint64(flags))
+        given = None if flags is None else byref(ctypes.c_uint64(to_bits("flags", flags)))
         self._call("kodo_unweld", ctypes.c_size_t(part), given, byref(added))
         return Body(self.world, from_body_id(added))
 

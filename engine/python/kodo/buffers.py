@@ -57,6 +57,8 @@ def readable(values: Any, shape: Tuple[int, ...]) -> Any:
 
 
 def _flat(values: Sequence[Any]) -> Any:
+    if not isinstance(values, Sequence) or isinstance(values, str):
+        raise TypeError(f"an array must hold numbers, but holds {values!r}")
     for value in values:
         if isinstance(value, (int, float)):
             yield value

@@ -140,8 +140,18 @@ class Transform(NamedTuple):
 
 
 def to_vec2(value: Sequence[float]) -> c.Vec2:
-    x, y = value
-    return c.Vec2(x, y)
+    try:
+        x, y = value
+        return c.Vec2(x, y)
+    except (TypeError, ValueError):
+        raise TypeError(f"a vector must be two numbers, (x, y), but is {value!r}") from None
+
+
+def to_bits(name: str, value: int) -> int:
+    """64 bits. ctypes alone would cut off what is beyond them."""
+    if not 0 <= int(value) < 1 << 64:
+        raise ValueError(f"{name}: must have bits 0 to 63, but is {value}")
+    return int(value)
 
 
 def to_rot(angle: float) -> c.Rot:
@@ -161,16 +171,21 @@ def to_joint_id(joint: JointId) -> c.JointId:
 
 
 def to_filter(which: Filter) -> c.Filter:
-    return c.Filter(int(which[0]), *which[1:])
+    return c.Filter(to_bits("flags", which[0]), to_bits("required", which[1]), *which[2:])
 
 
 def to_material(m: Material) -> c.Material:
+    if not isinstance(m, Material):
+        raise TypeError(f"material: must be a Material, as with_friction(0.5), but is {m!r}")
     *numbers, friction, restitution = dataclasses.astuple(m)
     return c.Material(*numbers, int(friction), int(restitution))
 
 
 def to_range(limits: Optional[Tuple[float, float]]) -> c.Range:
-    return c.Range(*(limits or (0.0, 0.0)))
+    try:
+        return c.Range(*(limits or (0.0, 0.0)))
+    except TypeError:
+        raise TypeError(f"limits: must be (lower, upper), but is {limits!r}") from None
 
 
 def from_vec2(v: c.Vec2) -> Vec2:

@@ -19,8 +19,8 @@ from .records import (ClosestPoints, CollisionRecord, ExplosionHit, QueryContact
 from .settings import Settings, from_settings, to_settings
 from .shapes import BuiltShape, Circle, MassDef, Shape, to_mass
 from .values import (Aabb, BodyId, BodyType, Filter, JointId, Material, StartOverlap, Vec2, from_aabb,
-                     from_body_id, from_joint_id, from_vec2, to_aabb, to_array, to_body_id, to_filter,
-                     to_joint_id, to_material, to_rot, to_vec2)
+                     from_body_id, from_joint_id, from_vec2, to_aabb, to_array, to_bits, to_body_id,
+                     to_filter, to_joint_id, to_material, to_rot, to_vec2)
 
 #: A handle or an id names a body.
 BodyLike = Union[Body, BodyId]
@@ -149,8 +149,8 @@ class World:
             definition.hasMass = True
             definition.mass = to_mass(mass if isinstance(mass, MassDef) else MassDef(mass))
         definition.type = int(type)
-        definition.flags = int(flags)
-        definition.required = required
+        definition.flags = to_bits("flags", flags)
+        definition.required = to_bits("required", required)
         definition.group = group
         definition.userData = user_data
         definition.linearDamping = linear_damping

@@ -10,6 +10,7 @@ from . import _structs as c
 from . import fields as _fields
 from ._library import Real, call
 from .buffers import readable, writable
+from .errors import BadBodyId
 from .values import to_array
 from .world import BodyLike, ThreadPool, World, id_of
 
@@ -22,6 +23,11 @@ class Worlds:
 
     def __init__(self, world: World, count: int, bodies: Sequence[BodyLike],
                  pool: Optional[ThreadPool] = None) -> None:
+        if count < 1:
+            raise ValueError(f"count: must be at least 1, but is {count}")
+        for body in bodies:
+            if body not in world:
+                raise BadBodyId(f"bodies: {body!r} is not in this World")
         self.start = world.copy()  #: what reset() goes back to
         self.worlds: List[World] = [world.copy() for _ in range(count)]
         self.pool = pool
