@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -79,7 +80,15 @@ namespace {
 /// Plays a scene in another engine and keeps what happened.
 class Recorder final : public Engine {
 public:
-    Recorder(const CrossScene& scene, Engine& engine) : scene_(scene), engine_(engine) { note(); }
+    Recorder(const CrossScene& scene, Engine& engine)
+        : scene_(scene), engine_(engine), bodies_(scene.def.bodies) {
+        for (const scenes::BodyDef& body : bodies_) {
+            centers_.push_back(massOf(body).center);
+            parts_.push_back(std::vector<std::size_t>(body.parts.size()));
+            std::iota(parts_.back().begin(), parts_.back().end(), std::size_t{0});
+        }
+        note();
+    }
 
     Played played;
 
@@ -102,7 +111,19 @@ public:
         pairs_ = std::move(now);
     }
     void join(const Link& link) override { engine_.join(link); }
-    void split(std::size_t body, std::size_t part) override { engine_.split(body, part); }
+    void split(std::size_t body, std::size_t part) override {
+        engine_.split(body, part);
+        const auto at = static_cast<std::ptrdiff_t>(part);
+        played.splits.push_back({played.times.size(), body, parts_[body][part]});
+        scenes::BodyDef piece = bodies_[body];
+        piece.parts = {piece.parts[part]};
+        parts_[body].erase(parts_[body].begin() + at);
+        bodies_[body].parts.erase(bodies_[body].parts.begin() + at);
+        centers_[body] = massOf(bodies_[body]).center;
+        centers_.push_back(massOf(piece).center);
+        bodies_.push_back(std::move(piece));
+        parts_.push_back({part});
+    }
     State state(std::size_t body) const override { return engine_.state(body); }
     std::vector<Touch> touches() const override { return engine_.touches(); }
     scenes::Vec2 jointForce(std::size_t joint) const override { return engine_.jointForce(joint); }
@@ -113,10 +134,21 @@ private:
             const State now = engine_.state(body);
             played.tracks[body].push_back({time_, now.position, now.angle});
         }
+        std::vector<Place> places;
+        for (std::size_t body = 0; body < centers_.size(); ++body) {
+            const State now = engine_.state(body);
+            const scenes::Rot turn{std::cos(now.angle), std::sin(now.angle)};
+            places.push_back({now.position - turn * centers_[body], now.angle});
+        }
+        played.times.push_back(time_);
+        played.frames.push_back(std::move(places));
     }
 
     const CrossScene& scene_;
     Engine& engine_;
+    std::vector<scenes::BodyDef> bodies_;         // as they are now
+    std::vector<scenes::Vec2> centers_;           // of mass, in the frame of the parts
+    std::vector<std::vector<std::size_t>> parts_; // of each body, as the scene defines them
     double time_ = 0;
     std::set<std::pair<std::size_t, std::size_t>> pairs_;
 };
@@ -127,6 +159,43 @@ Played play(const CrossScene& scene, Engine& engine) {
     Recorder recorder(scene, engine);
     recorder.played.values = scene.measure(recorder);
     return recorder.played;
+}
+
+double reachOf(const scenes::BodyDef& body) {
+    double reach = 0;
+    for (const scenes::Part& part : body.parts) {
+        if (const auto* circle = std::get_if<scenes::Circle>(&part)) {
+            reach = std::max(reach, sizeOf(circle->center) + circle->radius);
+            continue;
+        }
+        const auto* box = std::get_if<scenes::Box>(&part);
+        for (const scenes::Vec2 corner :
+             box != nullptr ? cornersOf(*box) : std::get<scenes::Polygon>(part).corners) {
+            reach = std::max(reach, sizeOf(corner));
+        }
+    }
+    return reach;
+}
+
+std::optional<double> partingTime(const CrossScene& scene, const Played& one, const Played& other,
+                                  double distance) {
+    std::vector<double> reaches;
+    for (const scenes::BodyDef& body : scene.def.bodies) {
+        reaches.push_back(reachOf(body));
+    }
+    const std::size_t frames = std::min(one.frames.size(), other.frames.size());
+    for (std::size_t frame = 0; frame < frames; ++frame) {
+        const std::vector<Place>& a = one.frames[frame];
+        const std::vector<Place>& b = other.frames[frame];
+        for (std::size_t body = 0; body < std::min({a.size(), b.size(), reaches.size()}); ++body) {
+            const double turned = std::remainder(a[body].angle - b[body].angle, 2 * kPi);
+            if (sizeOf(a[body].position - b[body].position) > distance ||
+                std::abs(turned) * reaches[body] > distance) {
+                return one.times[frame];
+            }
+        }
+    }
+    return std::nullopt;
 }
 
 double toleranceOf(const Figure& figure, Solver solver) {

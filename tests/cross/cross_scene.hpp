@@ -105,13 +105,38 @@ struct Impact {
     double impulse = 0; // N s, of that step
 };
 
+/// The frame of a body's parts.
+struct Place {
+    scenes::Vec2 position; // m
+    double angle = 0;      // rad, -pi..pi
+};
+
+/// A part that became a body of its own, which has the next index from this frame on.
+struct Split {
+    std::size_t frame = 0;
+    std::size_t body = 0;
+    std::size_t part = 0; // of the body as the scene defines it
+};
+
 /// A scene as one engine played it.
 struct Played {
     std::vector<double> values;
     std::map<std::size_t, std::vector<TrackPoint>> tracks; // by body
     std::vector<Impact> impacts;                           // the first of them
+    std::vector<double> times;                             // s, of each frame; frame 0 is the start
+    std::vector<std::vector<Place>> frames;                // by body
+    std::vector<Split> splits;
 };
 Played play(const CrossScene& scene, Engine& engine);
+
+/// Distance (m) from the frame of a body to the farthest point of its parts.
+double reachOf(const scenes::BodyDef& body);
+
+/// The end (s) of the first step after which a point of a body is farther than `distance` (m) from
+/// its place in the other play: by the position of the body's frame, or by its angle times reach.
+/// nullopt if there is none within the time of both.
+std::optional<double> partingTime(const CrossScene& scene, const Played& one, const Played& other,
+                                  double distance);
 
 /// True if Kodo's value, and Box2D's where the rule says so, satisfy the rule.
 bool holds(const Figure& figure, Solver solver, double kodo, double box2d);

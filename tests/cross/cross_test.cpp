@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdio>
 #include <set>
 #include <string>
@@ -62,6 +63,63 @@ TEST(CrossBook, EveryJudgedFigureStatesTheReasonOfItsTolerance) {
                 << scene.name << ": " << figure.what;
         }
     }
+}
+
+/// Two boxes of which the left one is heavy by its size: the centre of mass is not the frame.
+CrossScene thrownPair() {
+    CrossScene scene{"", "", "", "", {"thrown", scenes::kDown, {}}};
+    scenes::BodyDef body = scenes::box(2, 1, {3, 4});
+    body.parts.push_back(scenes::Box{1, 1, {1.5, 0}});
+    body.rotation = scenes::turnedBy(0.5);
+    body.velocity = {1, 2};
+    body.spin = 4;
+    scene.def.bodies = {body};
+    scene.drawn = {0};
+    return scene;
+}
+
+TEST(CrossFilm, FramesTellThePlaceOfThePartsBeforeAndAfterASplit) {
+    CrossScene scene = thrownPair();
+    scene.measure = [](Engine& engine) -> std::vector<double> {
+        run(engine, 2 * kDt);
+        engine.split(0, 1);
+        run(engine, kDt);
+        return {};
+    };
+    const Played played = play(scene, *KODO_PRECISION::makeKodo(scene.def, Solver::Soft));
+    ASSERT_EQ(played.frames.size(), 4u);
+    EXPECT_NEAR(played.times[3], 3 * kDt, 1e-12);
+    EXPECT_NEAR(played.frames[0][0].position.x, 3, 1e-6);
+    EXPECT_NEAR(played.frames[0][0].position.y, 4, 1e-6);
+    EXPECT_NEAR(played.frames[0][0].angle, 2 * std::atan(0.5), 1e-6);
+    EXPECT_EQ(played.frames[2].size(), 1u);
+    ASSERT_EQ(played.frames[3].size(), 2u);
+    ASSERT_EQ(played.splits.size(), 1u);
+    EXPECT_EQ(played.splits[0].frame, 3u);
+    EXPECT_EQ(played.splits[0].part, 1u);
+    // The pieces still have nearly one frame: each part moves on with the velocity of the whole.
+    const Place& whole = played.frames[3][0];
+    const Place& piece = played.frames[3][1];
+    EXPECT_NEAR(piece.angle, whole.angle, 1e-6);
+    EXPECT_LT(sizeOf(piece.position - whole.position), 4 * 4 * 1.5 * kDt * kDt); // w^2 r t^2
+}
+
+TEST(CrossFilm, PartingTimeIsThatOfTheFirstPointThatIsFarther) {
+    const CrossScene scene = thrownPair();
+    const double reach = reachOf(scene.def.bodies[0]);
+    EXPECT_NEAR(reach, std::sqrt(4 + 0.25), 1e-12);
+    Played one;
+    one.times = {0, 1, 2};
+    one.frames = {{Place{}}, {Place{{1, 0}, 3.1}}, {Place{{2, 0}, -3.1}}};
+    Played other = one;
+    EXPECT_FALSE(partingTime(scene, one, other, 0.1));
+    other.frames[2][0].position.y = 0.11;
+    EXPECT_EQ(partingTime(scene, one, other, 0.1), 2);
+    EXPECT_FALSE(partingTime(scene, one, other, 0.12));
+    other.frames[1][0].angle = 3.1 + 0.12 / reach - 2 * kPi; // the same turn, and a little more
+    EXPECT_EQ(partingTime(scene, one, other, 0.1), 1);
+    other.frames.resize(1); // it ends before
+    EXPECT_FALSE(partingTime(scene, one, other, 0.1));
 }
 
 } // namespace

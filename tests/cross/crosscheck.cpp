@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Plays every scene of the book in Kodo (both solvers, float and double) and in Box2D 2.4.1, and
 // prints all as JSON for tools/lib/crosscheck.py. Exit code: 0 all figures hold, 1 some do not.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -93,6 +95,108 @@ std::string playOf(const std::string& name, const Played& played) {
            "}";
 }
 
+/// The box (m) around the paths of what is drawn, in Kodo's soft solver and in Box2D.
+struct Extent {
+    scenes::Vec2 middle;
+    double size = 0; // of the longer side
+};
+
+Extent extentOf(const CrossScene& scene, const Plays& plays) {
+    scenes::Vec2 low{1e9, 1e9};
+    scenes::Vec2 high{-1e9, -1e9};
+    for (const Played* played : {&plays.kodo.front(), &plays.box2d}) {
+        for (const auto& [body, points] : played->tracks) {
+            const double reach = body < scene.def.bodies.size()
+                                     ? reachOf(scene.def.bodies[body])
+                                     : 0; // a piece is within the reach of its whole
+            for (const TrackPoint& at : points) {
+                low = {std::min(low.x, at.position.x - reach),
+                       std::min(low.y, at.position.y - reach)};
+                high = {std::max(high.x, at.position.x + reach),
+                        std::max(high.y, at.position.y + reach)};
+            }
+        }
+    }
+    return {0.5 * (low + high), std::max(high.x - low.x, high.y - low.y)};
+}
+
+/// How far (share of the extent) a point is from its place in the reference when they part.
+constexpr double kParted = 0.01;
+/// Units of place, angle and time in the frames: a quarter of a pixel of the page or less.
+constexpr double kPlacesPerExtent = 2000;
+constexpr double kAnglesPerTurn = 4096;
+constexpr double kTimesPerSecond = 1e4;
+/// Bodies times frames of a play; above it only each second, third... frame is kept.
+constexpr std::size_t kMostPlaces = 20'000;
+
+bool canMove(const scenes::BodyDef& body) {
+    return !body.locked || body.spin != 0 || dot(body.velocity, body.velocity) > 0;
+}
+
+std::string framesOf(const CrossScene& scene, const Played& played, const Extent& extent) {
+    const std::size_t bodies = played.frames.back().size();
+    const std::size_t stride = 1 + played.times.size() * bodies / kMostPlaces;
+    std::vector<std::size_t> kept;
+    for (std::size_t frame = 0; frame < played.times.size(); frame += stride) {
+        kept.push_back(frame);
+    }
+    const auto whole = [](double value) {
+        return std::to_string(std::lround(std::clamp(value, -30000.0, 30000.0)));
+    };
+    std::string moving;
+    for (std::size_t body = 0; body < bodies; ++body) {
+        if (body < scene.def.bodies.size() && !canMove(scene.def.bodies[body])) {
+            continue;
+        }
+        std::string places;
+        for (const std::size_t frame : kept) {
+            if (body < played.frames[frame].size()) {
+                const Place& at = played.frames[frame][body];
+                const scenes::Vec2 p =
+                    (kPlacesPerExtent / extent.size) * (at.position - extent.middle);
+                places += (places.empty() ? "" : ",") + whole(p.x) + "," + whole(p.y) + "," +
+                          whole(at.angle * kAnglesPerTurn / (2 * kPi));
+            }
+        }
+        moving += (moving.empty() ? "[" : ",[") + std::to_string(body) + ",[" + places + "]]";
+    }
+    return R"({"times":)" +
+           list(kept,
+                [&](std::size_t frame) {
+                    return std::to_string(std::lround(played.times[frame] * kTimesPerSecond));
+                }) +
+           R"(,"bodies":[)" + moving + R"(],"splits":)" +
+           list(played.splits,
+                [&](const Split& one) {
+                    return "[" + std::to_string((one.frame + stride - 1) / stride) + "," +
+                           std::to_string(one.body) + "," + std::to_string(one.part) + "]";
+                }) +
+           "}";
+}
+
+/// What the page needs to play the scene.
+std::string filmOf(const CrossScene& scene, const Plays& plays) {
+    const Extent extent = extentOf(scene, plays);
+    const Played& reference = plays.kodo.front();
+    std::string frames;
+    std::string parted;
+    const auto add = [&](const Played& played) {
+        const std::optional<double> time =
+            partingTime(scene, reference, played, kParted * extent.size);
+        parted += (parted.empty() ? "" : ",") + (time ? number(*time) : "null");
+        frames += (frames.empty() ? "" : ",") + framesOf(scene, played, extent);
+    };
+    for (const Played& played : plays.kodo) {
+        add(played);
+    }
+    add(plays.box2d);
+    return R"({"middle":)" + point(extent.middle) + R"(,"unit":)" +
+           number(extent.size / kPlacesPerExtent) + R"(,"angles":)" + number(kAnglesPerTurn) +
+           R"(,"times":)" + number(kTimesPerSecond) + R"(,"distance":)" +
+           number(kParted * extent.size) + R"(,"parted":[)" + parted + R"(],"plays":[)" + frames +
+           "]}";
+}
+
 const char* ruleName(Rule rule) {
     switch (rule) {
     case Rule::Exact:
@@ -155,7 +259,8 @@ std::string sceneOf(const CrossScene& scene, bool& good) {
     return R"({"name":)" + text(scene.name) + R"(,"title":)" + text(scene.title) + R"(,"text":)" +
            text(scene.text) + R"(,"difference":)" + text(scene.difference) + R"(,"bodies":)" +
            list(scene.def.bodies, bodyOf) + R"(,"figures":[)" + figures + R"(],"plays":[)" +
-           played + playOf("Box2D 2.4.1", plays.box2d) + "]}";
+           played + playOf("Box2D 2.4.1", plays.box2d) + R"(],"film":)" + filmOf(scene, plays) +
+           "}";
 }
 
 } // namespace

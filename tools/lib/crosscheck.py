@@ -8,6 +8,7 @@ import re
 import subprocess
 import sys
 
+import crosscheck_player
 from options import Options
 
 KODO, THESIS, BOX2D = "#1f6feb", "#2da44e", "#d1570b"
@@ -16,9 +17,9 @@ INK, FAINT, GREY = "#24292f", "#d0d7de", "#57606a"
 # earlier ones where they agree: the first is a broad band, doubles are dotted.
 STYLES = (
     ("soft, float", KODO, "", 6, 0.4),
-    ("soft, double", "#0a3069", "1.5 4", 2, 1),
+    ("soft, double", "#8250df", "1.5 4", 2, 1),
     ("propagation, float", THESIS, "", 1.8, 1),
-    ("propagation, double", "#116329", "1.5 4", 1.6, 1),
+    ("propagation, double", "#bf3989", "1.5 4", 1.6, 1),
     ("Box2D 2.4.1", BOX2D, "7 5", 1.6, 1),
 )
 PICTURE = (  # scenes of the picture in .github/CONTRIBUTING.md
@@ -183,7 +184,7 @@ def ruler(view):
     )
 
 
-def drawing(scene, width=520, height=330, frame=True):
+def drawing(scene, width=520, height=330):
     view = View(extent(scene), width, height)
     drawn = {track["body"] for track in scene["plays"][0]["tracks"]}
     inner = f'<rect width="{width}" height="{height}" fill="white"/>'
@@ -193,27 +194,27 @@ def drawing(scene, width=520, height=330, frame=True):
         if i in drawn and not body["locked"]:
             x, y = view.at(place(body)(body["center"]))
             inner += f'<circle cx="{x:.1f}" cy="{y:.1f}" r="2.2" fill="{GREY}"/>'
+    paths = ends = ""
     for play, (_, colour, dash, stroke, opacity) in zip(scene["plays"], STYLES):
         for track in play["tracks"]:
             body = scene["bodies"][track["body"]]
             if "double" not in play["name"] and not body["locked"]:
-                inner += shapes(
+                ends += shapes(
                     view,
                     frame_at(body, track["points"][-1]),
                     f'fill="{colour}" fill-opacity="0.06" stroke="{colour}" stroke-width="1"'
                     f' stroke-dasharray="{dash}"',
                 )
-            inner += (
+            paths += (
                 f'<polyline points="{path(view, track["points"])}" fill="none" stroke="{colour}"'
                 f' stroke-width="{stroke}" stroke-opacity="{opacity}" stroke-dasharray="{dash}"'
                 ' stroke-linejoin="round"/>'
             )
-    inner += ruler(view)
-    if frame:
-        inner += (
-            f'<rect x="0.5" y="0.5" width="{width - 1}" height="{height - 1}" fill="none"'
-            f' stroke="{FAINT}"/>'
-        )
+    inner += f'<g class="ends">{ends}</g><g class="paths">{paths}</g>{ruler(view)}'
+    inner += (
+        f'<rect x="0.5" y="0.5" width="{width - 1}" height="{height - 1}" fill="none"'
+        f' stroke="{FAINT}"/>'
+    )
     return (
         f'<svg viewBox="0 0 {width} {height}" width="{width}" height="{height}" role="img"'
         f' aria-label="Paths of {escape(scene["title"])}">{inner}</svg>'
@@ -385,7 +386,9 @@ def section(scene):
         f'<div class="name">{scene["name"]}</div>'
         f'<p>{escape(scene["text"])}</p>'
         f'<p><span class="verdict {kind}">{words}</span> {escape(scene["difference"])}</p>'
-        f'<div class="top"><div>{drawing(scene)}</div><div>{chart(scene)}{hits(scene)}</div></div>'
+        f'<div class="top"><div><div class="stage">{drawing(scene)}<canvas></canvas></div>'
+        f"{crosscheck_player.player(scene, View(extent(scene), 520, 330), STYLES)}</div>"
+        f"<div>{chart(scene)}{hits(scene)}</div></div>"
         f"{figures(scene)}</section>"
     )
 
@@ -419,7 +422,8 @@ def page(scenes):
     return (
         '<!doctype html><html lang="en"><head><meta charset="utf-8">'
         '<meta name="viewport" content="width=device-width">'
-        f"<title>Kodo beside Box2D 2.4.1</title><style>{STYLE_SHEET}</style></head><body><main>"
+        f"<title>Kodo beside Box2D 2.4.1</title><style>{STYLE_SHEET}{crosscheck_player.STYLE_SHEET}"
+        "</style></head><body><main>"
         "<h1>Kodo beside Box2D 2.4.1</h1>"
         f"<div class=\"intro\"><p><b>{summary}</b></p><p>Each scene is played by Kodo’s soft solver"
         " and by the solver of the thesis (profile <code>thesis2006()</code> without its shock passes),"
@@ -429,9 +433,12 @@ def page(scenes):
         f"{legend()}"
         '<p class="small">Light outlines: the start; coloured ones: the end. Lines are paths of'
         " centres of mass. <span style=\"color:#bc4c00;font-weight:600\">Orange</span>: Box2D is"
-        " farther from the closed form than the tolerance. Grey figures are not judged.</p></div>"
+        " farther from the closed form than the tolerance. Grey figures are not judged.</p>"
+        '<p class="small">Below each picture: ▶ (or the space key) plays it in real time; on the'
+        " slider, the arrow keys go step by step. ▲ marks the time at which the play of that colour"
+        " parts from Kodo’s soft solver in float, by 1 % of the picture.</p></div>"
         f'<div class="intro"><nav>{links}</nav></div>'
-        f'{"".join(section(s) for s in scenes)}</main></body></html>\n'
+        f'{"".join(section(s) for s in scenes)}</main>{crosscheck_player.script()}</body></html>\n'
     )
 
 

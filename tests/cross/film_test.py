@@ -1,0 +1,67 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""The packed films of the page of tools/crosscheck."""
+import base64
+import pathlib
+import random
+import sys
+import unittest
+import zlib
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools" / "lib"))
+
+import crosscheck_player as player  # noqa: E402
+
+STYLES = [("reference", "#000000"), ("near", "#111111"), ("far & wide", "#222222")]
+
+
+def unpack(text):
+    planes = zlib.decompress(base64.b64decode(text))
+    half = len(planes) // 2
+    zigzags = [low | high << 8 for low, high in zip(planes[:half], planes[half:])]
+    return [z >> 1 ^ -(z & 1) for z in zigzags]
+
+
+def sums(differences):
+    value = change = 0
+    for difference in differences:
+        change += difference
+        value += change
+        yield (value + 0x8000) % 0x10000 - 0x8000
+
+
+class Film(unittest.TestCase):
+    def test_places_are_kept_to_the_bit(self):
+        dice = random.Random(1)
+        for size in (1, 40, 30000):
+            places = [dice.randint(-size, size) for _ in range(500)]
+            packed = player.pack(player.second_differences(places))
+            self.assertEqual(list(sums(unpack(packed))), places)
+
+    def test_even_motion_is_small(self):  # of 4 bytes a number
+        fall = [round(-0.5 * 10 * (i / 60) ** 2 * 100) for i in range(1200)]
+        self.assertLess(len(player.pack(player.second_differences(fall))), 1200 * 4 / 8)
+        rest = player.pack(player.second_differences([1234] * 1200))
+        self.assertLess(len(rest), 1200 * 4 / 100)
+
+    def test_marks_are_where_plays_part(self):
+        film = {"parted": [None, 1.5, None], "distance": 0.02, "times": 1e4,
+                "plays": [{"times": [0, 10000, 30000]}]}
+        marks = player.marks(film, STYLES)
+        self.assertEqual(marks.count("<button"), 1)
+        self.assertIn("left:50.00%;color:#111111", marks)
+        self.assertIn("20 mm", player.parts(film, STYLES))
+        film["parted"] = [None, None, 3]
+        self.assertIn('title="far &amp; wide parts at 3.00 s"', player.marks(film, STYLES))
+        self.assertIn("left:100.00%", player.marks(film, STYLES))
+        film["parted"] = [None, None, None]
+        self.assertEqual(player.marks(film, STYLES), "")
+        self.assertIn("No point is ever more than 20 mm", player.parts(film, STYLES))
+
+    def test_the_script_asks_no_other_host(self):
+        for word in ("http:", "https:", "fetch(", "import(", "XMLHttpRequest", "//cdn"):
+            self.assertNotIn(word, player.script())
+
+
+if __name__ == "__main__":
+    unittest.main()
