@@ -153,7 +153,10 @@ private:
         b2DistanceJointDef def;
         def.Initialize(a, b, scenes::toBox2d(link.point), scenes::toBox2d(link.pointB));
         def.minLength = 0;
-        if (link.kind == Link::Kind::DistanceJoint) {
+        if (link.kind == Link::Kind::DistanceJoint && link.hertz == 0) {
+            def.minLength = def.length;
+            def.maxLength = def.length;
+        } else if (link.kind == Link::Kind::DistanceJoint) {
             def.maxLength = std::numeric_limits<float>::max();
             b2LinearStiffness(def.stiffness, def.damping, small(link.hertz), small(link.damping), a,
                               b);

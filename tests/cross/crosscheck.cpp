@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Plays every scene of the book in Kodo (both solvers, float and double) and in Box2D 2.4.1, and
-// prints all as JSON for tools/lib/crosscheck.py. Exit code: 0 all figures hold, 1 some do not.
+// prints all as JSON for tools/lib/crosscheck.py; with a file .toml, only its scene. Exit code: 0
+// all figures hold, 1 some do not, 2 the file has a mistake.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <exception>
 #include <iostream>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "cross_scene.hpp"
+#include "scene_reader.hpp"
 
 namespace {
 
@@ -263,15 +266,44 @@ std::string sceneOf(const CrossScene& scene, bool& good) {
            "}";
 }
 
-} // namespace
-
-int main() {
+int print(const std::vector<CrossScene>& scenes) {
     bool good = true;
     std::string separator = "[";
-    for (const CrossScene& scene : sceneBook()) {
+    for (const CrossScene& scene : scenes) {
         std::cout << separator << sceneOf(scene, good) << "\n";
         separator = ",";
     }
     std::cout << "]\n";
     return good ? 0 : 1;
+}
+
+constexpr std::size_t kLongestFile = 1'000'000; // bytes
+
+int refuse(const apart::FileProblem& problem) {
+    for (const std::string& line : problem.texts()) {
+        std::cerr << line << "\n";
+    }
+    return 2;
+}
+
+int printFile(const std::string& file) {
+    const apart::Read<std::string> text = apart::readTextFile(file, kLongestFile);
+    if (const auto* problem = std::get_if<apart::FileProblem>(&text)) {
+        return refuse(*problem);
+    }
+    const apart::Read<CrossScene> scene = readScene(std::get<std::string>(text), file);
+    if (const auto* problem = std::get_if<apart::FileProblem>(&scene)) {
+        return refuse(*problem);
+    }
+    try {
+        return print({std::get<CrossScene>(scene)});
+    } catch (const std::exception& error) {
+        return refuse({file, 0, error.what()});
+    }
+}
+
+} // namespace
+
+int main(int count, char** arguments) {
+    return count == 2 ? printFile(arguments[1]) : print(sceneBook());
 }

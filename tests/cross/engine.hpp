@@ -33,7 +33,7 @@ struct Link {
                              // RopeJoint: anchor of b; the distance is the largest
     double motorSpeed = 0;   // rad/s, of b relative to a; PrismaticJoint: m/s along the axis
     double motorTorque = 0;  // N m, maximum; PrismaticJoint: N
-    double hertz = 0;        // DistanceJoint: frequency with the masses of both bodies
+    double hertz = 0;        // DistanceJoint: frequency with the masses of both bodies; 0: a rod
     double damping = 0;      // DistanceJoint: damping ratio; 1 is critical
     scenes::Vec2 axis{0, 1}; // PrismaticJoint: unit, world
     std::optional<double> limit{}; // RevoluteJoint: +- rad; PrismaticJoint: +- m

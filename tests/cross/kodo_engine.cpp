@@ -103,6 +103,8 @@ private:
         spring.damping = real(link.damping);
         if (link.kind == Kind::RopeJoint) {
             spring.limits = kodo::Range{0, spring.length};
+        } else if (link.hertz == 0) {
+            spring.limits = kodo::Range{spring.length, spring.length};
         }
         return scene_.world.add(spring);
     }

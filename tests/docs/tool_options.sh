@@ -41,6 +41,9 @@ timeout 60 python3 -B tools/lib/crosscheck.py --check-options \
 grep -qx 'BallThroughPinsBouncesAndFallsOut' <<<"$(tools/crosscheck --list)" ||
     { echo 'FAILED: tools/crosscheck --list does not name a scene' && failed=1; }
 refuse '^tools/crosscheck: --list writes no page' tools/crosscheck --list --scenes Pendulum
+refuse '^tools/crosscheck: there is no file .*/nowhere.toml' tools/crosscheck nowhere.toml
+refuse '^tools/crosscheck: a file has one scene: give no --scenes' \
+    tools/crosscheck tests/cross/example.toml --scenes Pendulum
 mkdir -p box2d3/include/box2d && : >box2d3/include/box2d/id.h
 for also in '--profiles fast' '--engines kodo64'; do
     # shellcheck disable=SC2086 # two words

@@ -410,7 +410,7 @@ def page(scenes):
     judged = sum(len(s["figures"]) for s in scenes)
     bad = kinds.count("wrong")
     summary = (
-        f"{len(scenes)} scenes with {judged} figures: "
+        f"{len(scenes)} scene{'s' if len(scenes) > 1 else ''} with {judged} figures: "
         f"{kinds.count('good')} agree in all, {kinds.count('differ')} hold with a known difference, "
         f"{bad} {'does' if bad == 1 else 'do'} not hold."
     )
@@ -427,7 +427,8 @@ def page(scenes):
         "<h1>Kodo beside Box2D 2.4.1</h1>"
         f"<div class=\"intro\"><p><b>{summary}</b></p><p>Each scene is played by Kodo’s soft solver"
         " and by the solver of the thesis (profile <code>thesis2006()</code> without its shock passes),"
-        " in float and double, and by Box2D with 8 velocity and 3 position iterations. Steps of 1/60 s; nothing sleeps."
+        " in float and double, and by Box2D with 8 velocity and 3 position iterations. Steps of 1/60 s, where a scene"
+        " says no other; nothing sleeps."
         " Both mix restitution by the minimum, and boxes have equal size with their skin."
         " <code>tests/cross</code> holds the scenes and judges the same figures.</p>"
         f"{legend()}"
@@ -472,6 +473,7 @@ def picture(scenes):
     )
 
 
+PAGE = pathlib.Path("crosscheck.html")
 NO_SCENE = "no scene's name or title contains {}; tools/crosscheck --list prints the names"
 
 
@@ -497,6 +499,11 @@ def refuse_early(options, chosen):
             options.error(f"there is no folder {file.parent}")
         if file.is_dir():
             options.error(f"{file} is a folder, not a file")
+    if chosen.file:
+        if chosen.scenes or chosen.list or chosen.picture:
+            options.error("a file has one scene: give no --scenes, --list or --picture")
+        if not chosen.file.is_file():
+            options.error(f"there is no file {chosen.file}")
     if chosen.list and (chosen.scenes or chosen.output or chosen.picture):
         options.error("--list writes no page: give no --scenes, --output or --picture")
     # Some titles are put together: each word is looked for, and the whole after the build.
@@ -508,6 +515,7 @@ def refuse_early(options, chosen):
 
 def main():
     options = Options("tools/crosscheck", add_help=False)
+    options.add_argument("file", nargs="?", type=pathlib.Path)
     options.add_argument("--output", type=pathlib.Path)
     options.add_argument("--picture", type=pathlib.Path)
     options.add_argument("--scenes", nargs="+", metavar="NAME")
@@ -522,12 +530,15 @@ def main():
     if chosen.check_options:
         return 0
     program = chosen.program or pathlib.Path("build/bench/bin/crosscheck")
-    run = subprocess.run([program], stdout=subprocess.PIPE, check=False)
+    command = [program, chosen.file] if chosen.file else [program]
+    run = subprocess.run(command, stdout=subprocess.PIPE, check=False)
+    if chosen.file and run.returncode == 2:
+        return 2  # the program has told the mistakes
     if run.returncode not in (0, 1):
         sys.stderr.write(f"{program} ended with {run.returncode}.\n")
         return 1
     scenes = json.loads(run.stdout)
-    if chosen.program:  # the test of this page
+    if chosen.program and not chosen.file:  # the test of this page
         hidden = {scene["name"] for scene in scenes} - set(names_in_sources())
         if hidden and names_in_sources():
             sys.stderr.write(f"Not found in the sources: {', '.join(sorted(hidden))}\n")
@@ -540,11 +551,11 @@ def main():
             if not any(is_wanted(scene, wanted) for scene in scenes):
                 options.error(NO_SCENE.format(wanted))
         scenes = [s for s in scenes if any(is_wanted(s, wanted) for wanted in chosen.scenes)]
-    output = chosen.output or pathlib.Path("build/crosscheck/crosscheck.html")
+    output = chosen.output or pathlib.Path("build/crosscheck", (chosen.file or PAGE).stem + ".html")
     output.parent.mkdir(parents=True, exist_ok=True)
     output.write_text(page(scenes), encoding="utf-8")
     bad = [s["name"] for s in scenes if verdict(s)[0] == "wrong"]
-    print(f"Written: {output} ({len(scenes)} scenes)")
+    print(f"Written: {output} ({len(scenes)} scene{'s' if len(scenes) > 1 else ''})")
     for name in bad:
         print(f"Does not hold: {name}")
     return 1 if bad else 0
