@@ -33,6 +33,8 @@ packages_matrix=(g++:g++ clang:clang++)
 packages_aarch64=(g++-aarch64-linux-gnu:aarch64-linux-gnu-g++ qemu-user:qemu-aarch64)
 # shellcheck disable=SC2034
 packages_wasm=(emscripten:em++ node-acorn nodejs:node)
+# shellcheck disable=SC2034
+packages_windows=(g++-mingw-w64-x86-64-posix:x86_64-w64-mingw32-g++-posix wine64)
 
 say() { printf '%s\n' "$*"; }
 

@@ -26,7 +26,7 @@ inline constexpr Flags kColliding = 1u << 21;  // status: touched something in t
 inline constexpr Flags kSensor = 1u << 22;     // detects overlap, without any response
 inline constexpr Flags kFrozen = 1u << 23;     // status: see World::frozenBodies()
 inline constexpr Flags kOutside = 1u << 24;    // status: outside the region, see World::setRegion()
-// Bits 25, 26 and 31 are reserved: definitions and setters refuse them.
+// Bits 26 and 31 are reserved. Definitions and setters refuse them, and kNoSensors.
 /// Set by the engine alone; setters ignore them.
 inline constexpr Flags kStatusFlags = kAsleep | kColliding | kFrozen | kOutside;
 

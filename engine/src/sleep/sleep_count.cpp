@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 #include <utility>
+#include <variant>
 
 #include "sleep/sleep_system.hpp"
 
@@ -45,6 +46,26 @@ bool hasCrept(const Transform& pose, const Transform& since, Real reach, Real di
     const Real moved = lengthSquared(pose.position - since.position);
     const Real turned = reach * reach * turn.s * turn.s;
     return moved + turned > distance * distance || turn.c < 0;
+}
+
+/// True if a motor with a target speed moves its joint: at half of that speed at least. One that is
+/// stalled, by a limit or a load, lets its island sleep.
+bool drives(const JointSet::Joint& joint, const Bodies& bodies) {
+    const JointState state = stateOf(joint, bodies);
+    const auto reaches = [](Real most, Real target, Real speed) {
+        return most > 0 && target != 0 && speed / target > Real(0.5);
+    };
+    if (const auto* slider = std::get_if<PrismaticJoint>(&joint.def)) {
+        return reaches(slider->motorForce, slider->motorSpeed, state.speed);
+    }
+    if (const auto* rod = std::get_if<DistanceJoint>(&joint.def)) {
+        return reaches(rod->motorForce, rod->motorSpeed, state.lengthSpeed);
+    }
+    if (const auto* hinge = std::get_if<RevoluteJoint>(&joint.def)) {
+        return reaches(hinge->motorTorque, hinge->motorSpeed, state.angularSpeed);
+    }
+    const auto* wheel = std::get_if<WheelJoint>(&joint.def);
+    return wheel != nullptr && reaches(wheel->motorTorque, wheel->motorSpeed, state.angularSpeed);
 }
 
 } // namespace
@@ -217,6 +238,7 @@ bool SleepSystem::followIsland(std::uint32_t start, std::uint32_t search, const 
             }
         });
         joints.visitOf(body, [&](const JointSet::Joint& joint) {
+            calm = calm && !drives(joint, bodies);
             const std::uint32_t a = firstBody(joint.def).index;
             reach(a == body ? secondBody(joint.def).index : a);
         });
