@@ -253,6 +253,26 @@ class Errors(unittest.TestCase):
         with self.assertRaisesRegex(kodo.BadBodyId, "not in this World"):
             kodo.Worlds(world, 2, boxes)
 
+    def test_a_number_of_a_wrong_kind_is_told_with_its_name(self):
+        world = kodo.World()
+        ball = world.add(kodo.Circle(0.5))
+        hinge = kodo.RevoluteJoint(ball, ball, motor_speed="fast")
+        for name, call in {
+            "density": lambda: world.add(kodo.Circle(0.5), density="1"),
+            "radius": lambda: world.add(kodo.Circle("1")),
+            "angle": lambda: world.add(kodo.Circle(1), angle=None),
+            "user_data": lambda: world.add(kodo.Circle(1), user_data="a"),
+            "flags": lambda: world.add(kodo.Circle(1), flags=0.5),
+            "type": lambda: world.add(kodo.Circle(1), type="static"),
+            "motor_speed": lambda: world.add_joint(hinge),
+            "gravity_scale": lambda: setattr(ball, "gravity_scale", "1"),
+            "dt": lambda: world.step("1/60"),
+            "max_distance": lambda: world.closest_point((0, 0), "far"),
+        }.items():
+            with self.subTest(name), self.assertRaisesRegex(TypeError, f"^{name}: must be "):
+                call()
+        self.assertEqual(len(world), 1)
+
     def test_a_world_twice_in_a_list_is_wrong_use(self):
         world, boxes = falling_boxes()
         worlds = kodo.Worlds(world, 2, boxes)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import re
 from ctypes import POINTER, c_bool, c_int32, c_size_t, c_uint8, c_uint16, c_uint32, c_uint64
 from ctypes import c_void_p
 from typing import Type, TypeVar
@@ -10,6 +11,31 @@ from typing import Type, TypeVar
 from ._library import REAL_SIZE, Real, call
 
 VERSION = 2  # KODO_C_VERSION
+
+
+class Values(ctypes.Structure):
+    """A struct whose refusal of a value names its field, as the module spells it."""
+
+    def __init__(self, *values: object) -> None:
+        try:
+            super().__init__(*values)
+        except TypeError:
+            for field, value in zip(self._fields_, values):
+                setattr(self, field[0], value)
+            raise
+
+    def __setattr__(self, name: str, value: object) -> None:
+        try:
+            super().__setattr__(name, value)
+        except TypeError:
+            wanted = {Real: "a number", c_bool: "True or False"}
+            kind = wanted.get(dict(field[:2] for field in self._fields_)[name], "an integer")
+            raise TypeError(f"{in_python(name)}: must be {kind}, but is {value!r}") from None
+
+
+def in_python(name: str) -> str:
+    """angularVelocity is angular_velocity."""
+    return re.sub(r"(?<=[a-z])([A-Z])", lambda letter: "_" + letter[0].lower(), name)
 
 
 class Head(ctypes.Structure):
@@ -36,7 +62,7 @@ class Aabb(ctypes.Structure):
     _fields_ = [("lower", Vec2), ("upper", Vec2)]
 
 
-class Range(ctypes.Structure):
+class Range(Values):
     _fields_ = [("lower", Real), ("upper", Real)]
 
 
@@ -48,11 +74,11 @@ class JointId(ctypes.Structure):
     _fields_ = [("index", c_uint32), ("generation", c_uint32), ("world", c_uint32)]
 
 
-class Filter(ctypes.Structure):
+class Filter(Values):
     _fields_ = [("flags", c_uint64), ("required", c_uint64), ("group", c_int32)]
 
 
-class Material(ctypes.Structure):
+class Material(Values):
     _fields_ = [
         ("staticFriction", Real),
         ("kineticFriction", Real),
@@ -64,11 +90,11 @@ class Material(ctypes.Structure):
     ]
 
 
-class Circle(ctypes.Structure):
+class Circle(Values):
     _fields_ = [("radius", Real), ("center", Vec2)]
 
 
-class Box(ctypes.Structure):
+class Box(Values):
     _fields_ = [
         ("width", Real),
         ("height", Real),
@@ -78,27 +104,27 @@ class Box(ctypes.Structure):
     ]
 
 
-class Polygon(ctypes.Structure):
+class Polygon(Values):
     _fields_ = [("corners", POINTER(Vec2)), ("cornerCount", c_size_t), ("radius", Real)]
 
 
-class Compound(ctypes.Structure):
+class Compound(Values):
     _fields_ = [("parts", c_void_p), ("partCount", c_size_t)]
 
 
-class Point(ctypes.Structure):
+class Point(Values):
     _fields_ = [("position", Vec2)]
 
 
-class Segment(ctypes.Structure):
+class Segment(Values):
     _fields_ = [("from", Vec2), ("to", Vec2), ("oneSided", c_bool), ("radius", Real)]
 
 
-class Plane(ctypes.Structure):
+class Plane(Values):
     _fields_ = [("normal", Vec2), ("offset", Real)]
 
 
-class Heightmap(ctypes.Structure):
+class Heightmap(Values):
     _fields_ = [
         ("origin", Vec2),
         ("spacing", Real),
@@ -107,7 +133,7 @@ class Heightmap(ctypes.Structure):
     ]
 
 
-class Chain(ctypes.Structure):
+class Chain(Values):
     _fields_ = [
         ("points", POINTER(Vec2)),
         ("pointCount", c_size_t),
@@ -118,7 +144,7 @@ class Chain(ctypes.Structure):
     ]
 
 
-class Capsule(ctypes.Structure):
+class Capsule(Values):
     _fields_ = [("from", Vec2), ("to", Vec2), ("radius", Real)]
 
 
@@ -137,12 +163,12 @@ class _Shapes(ctypes.Union):
     ]
 
 
-class Shape(ctypes.Structure):
+class Shape(Values):
     _anonymous_ = ("shapes",)
     _fields_ = [("kind", c_int32), ("shapes", _Shapes)]
 
 
-class Polygons(ctypes.Structure):
+class Polygons(Values):
     _fields_ = [
         ("corners", POINTER(Vec2)),
         ("cornerCapacity", c_size_t),
@@ -153,7 +179,7 @@ class Polygons(ctypes.Structure):
     ]
 
 
-class SoftSettings(ctypes.Structure):
+class SoftSettings(Values):
     _fields_ = [
         ("substeps", c_int32),
         ("impactPasses", c_int32),
@@ -165,7 +191,7 @@ class SoftSettings(ctypes.Structure):
     ]
 
 
-class PropagationSettings(ctypes.Structure):
+class PropagationSettings(Values):
     _fields_ = [
         ("substeps", c_int32),
         ("impactPasses", c_int32),
@@ -181,7 +207,7 @@ class _Solvers(ctypes.Union):
     _fields_ = [("soft", SoftSettings), ("propagation", PropagationSettings)]
 
 
-class Settings(ctypes.Structure):
+class Settings(Values):
     _anonymous_ = ("solvers",)
     _fields_ = [
         ("head", Head),
@@ -192,11 +218,11 @@ class Settings(ctypes.Structure):
     ]
 
 
-class WorldDef(ctypes.Structure):
+class WorldDef(Values):
     _fields_ = [("head", Head), ("gravity", Vec2), ("lengthUnit", Real), ("settings", Settings)]
 
 
-class MassDef(ctypes.Structure):
+class MassDef(Values):
     _fields_ = [
         ("mass", Real),
         ("hasCenter", c_bool),
@@ -206,7 +232,7 @@ class MassDef(ctypes.Structure):
     ]
 
 
-class BodyDef(ctypes.Structure):
+class BodyDef(Values):
     _fields_ = [
         ("head", Head),
         ("shape", Shape),
@@ -229,7 +255,7 @@ class BodyDef(ctypes.Structure):
     ]
 
 
-class BodyState(ctypes.Structure):
+class BodyState(Values):
     _fields_ = [
         ("id", BodyId),
         ("type", c_int32),
@@ -255,7 +281,7 @@ class BodyState(ctypes.Structure):
     ]
 
 
-class Part(ctypes.Structure):
+class Part(Values):
     _fields_ = [
         ("shape", Shape),
         ("material", Material),
@@ -266,15 +292,15 @@ class Part(ctypes.Structure):
     ]
 
 
-class Velocity(ctypes.Structure):
+class Velocity(Values):
     _fields_ = [("linear", Vec2), ("angular", Real)]
 
 
-class Load(ctypes.Structure):
+class Load(Values):
     _fields_ = [("force", Vec2), ("torque", Real)]
 
 
-class JointEnds(ctypes.Structure):
+class JointEnds(Values):
     _fields_ = [
         ("a", BodyId),
         ("b", BodyId),
@@ -287,7 +313,7 @@ class JointEnds(ctypes.Structure):
     ]
 
 
-class RevoluteJoint(ctypes.Structure):
+class RevoluteJoint(Values):
     _fields_ = [
         ("ends", JointEnds),
         ("reference", Real),
@@ -301,11 +327,11 @@ class RevoluteJoint(ctypes.Structure):
     ]
 
 
-class FixedJoint(ctypes.Structure):
+class FixedJoint(Values):
     _fields_ = [("ends", JointEnds), ("reference", Real), ("hertz", Real), ("damping", Real)]
 
 
-class DistanceJoint(ctypes.Structure):
+class DistanceJoint(Values):
     _fields_ = [
         ("ends", JointEnds),
         ("length", Real),
@@ -318,7 +344,7 @@ class DistanceJoint(ctypes.Structure):
     ]
 
 
-class PrismaticJoint(ctypes.Structure):
+class PrismaticJoint(Values):
     _fields_ = [
         ("ends", JointEnds),
         ("axis", Vec2),
@@ -333,7 +359,7 @@ class PrismaticJoint(ctypes.Structure):
     ]
 
 
-class MotorJoint(ctypes.Structure):
+class MotorJoint(Values):
     _fields_ = [
         ("ends", JointEnds),
         ("reference", Real),
@@ -344,7 +370,7 @@ class MotorJoint(ctypes.Structure):
     ]
 
 
-class MouseJoint(ctypes.Structure):
+class MouseJoint(Values):
     _fields_ = [
         ("body", BodyId),
         ("anchor", Vec2),
@@ -356,7 +382,7 @@ class MouseJoint(ctypes.Structure):
     ]
 
 
-class WheelJoint(ctypes.Structure):
+class WheelJoint(Values):
     _fields_ = [
         ("ends", JointEnds),
         ("axis", Vec2),
@@ -369,7 +395,7 @@ class WheelJoint(ctypes.Structure):
     ]
 
 
-class PulleyJoint(ctypes.Structure):
+class PulleyJoint(Values):
     _fields_ = [
         ("ends", JointEnds),
         ("groundA", Vec2),
@@ -379,11 +405,11 @@ class PulleyJoint(ctypes.Structure):
     ]
 
 
-class GearJoint(ctypes.Structure):
+class GearJoint(Values):
     _fields_ = [("ends", JointEnds), ("ratio", Real), ("hasRack", c_bool), ("rack", Vec2)]
 
 
-class FilterJoint(ctypes.Structure):
+class FilterJoint(Values):
     _fields_ = [("ends", JointEnds)]
 
 
@@ -402,16 +428,16 @@ class _Joints(ctypes.Union):
     ]
 
 
-class JointDef(ctypes.Structure):
+class JointDef(Values):
     _anonymous_ = ("joints",)
     _fields_ = [("head", Head), ("kind", c_int32), ("joints", _Joints)]
 
 
-class Spring(ctypes.Structure):
+class Spring(Values):
     _fields_ = [("hertz", Real), ("damping", Real)]
 
 
-class JointState(ctypes.Structure):
+class JointState(Values):
     _fields_ = [
         ("anchorA", Vec2),
         ("anchorB", Vec2),
@@ -424,7 +450,7 @@ class JointState(ctypes.Structure):
     ]
 
 
-class BrokenJoint(ctypes.Structure):
+class BrokenJoint(Values):
     _fields_ = [
         ("id", JointId),
         ("a", BodyId),
@@ -434,31 +460,31 @@ class BrokenJoint(ctypes.Structure):
     ]
 
 
-class Gravity(ctypes.Structure):
+class Gravity(Values):
     _fields_ = [("acceleration", Vec2)]
 
 
-class DragLaw(ctypes.Structure):
+class DragLaw(Values):
     _fields_ = [("linear", Real), ("quadratic", Real)]
 
 
-class Drag(ctypes.Structure):
+class Drag(Values):
     _fields_ = [("law", DragLaw), ("air", Vec2)]
 
 
-class Wind(ctypes.Structure):
+class Wind(Values):
     _fields_ = [("law", DragLaw), ("velocity", Vec2), ("hasRegion", c_bool), ("region", Aabb)]
 
 
-class Attractor(ctypes.Structure):
+class Attractor(Values):
     _fields_ = [("law", c_int32), ("center", Vec2), ("strength", Real), ("softening", Real)]
 
 
-class Buoyancy(ctypes.Structure):
+class Buoyancy(Values):
     _fields_ = [("density", Real), ("drag", Real), ("surface", Vec2), ("gravity", Vec2)]
 
 
-class FieldBody(ctypes.Structure):
+class FieldBody(Values):
     _fields_ = [
         ("id", BodyId),
         ("flags", c_uint64),
@@ -474,7 +500,7 @@ class FieldBody(ctypes.Structure):
     ]
 
 
-class FieldForce(ctypes.Structure):
+class FieldForce(Values):
     _fields_ = [("force", Vec2), ("torque", Real), ("drag", Real), ("spinDrag", Real)]
 
 
@@ -482,7 +508,7 @@ FIELD_FUNCTION = ctypes.CFUNCTYPE(None, c_void_p, POINTER(FieldBody), Real, POIN
 END_FUNCTION = ctypes.CFUNCTYPE(None, c_void_p)
 
 
-class OwnField(ctypes.Structure):
+class OwnField(Values):
     _fields_ = [
         ("at", FIELD_FUNCTION),
         ("destroy", END_FUNCTION),
@@ -502,7 +528,7 @@ class _Fields(ctypes.Union):
     ]
 
 
-class Field(ctypes.Structure):
+class Field(Values):
     _anonymous_ = ("fields",)
     _fields_ = [("head", Head), ("which", Filter), ("kind", c_int32), ("fields", _Fields)]
 
@@ -510,7 +536,7 @@ class Field(ctypes.Structure):
 STAGE_FUNCTION = ctypes.CFUNCTYPE(None, c_void_p, c_int32)
 
 
-class StepOptions(ctypes.Structure):
+class StepOptions(Values):
     _fields_ = [
         ("head", Head),
         ("pool", c_void_p),
@@ -520,7 +546,7 @@ class StepOptions(ctypes.Structure):
     ]
 
 
-class StepStats(ctypes.Structure):
+class StepStats(Values):
     _fields_ = [
         ("bodies", c_size_t),
         ("contacts", c_size_t),
@@ -530,11 +556,11 @@ class StepStats(ctypes.Structure):
     ]
 
 
-class RecordPoint(ctypes.Structure):
+class RecordPoint(Values):
     _fields_ = [("position", Vec2), ("separation", Real), ("maxImpulse", Real)]
 
 
-class CollisionRecord(ctypes.Structure):
+class CollisionRecord(Values):
     _fields_ = [
         ("a", BodyId),
         ("b", BodyId),
@@ -552,7 +578,7 @@ class CollisionRecord(ctypes.Structure):
     ]
 
 
-class Query(ctypes.Structure):
+class Query(Values):
     _fields_ = [
         ("head", Head),
         ("which", Filter),
@@ -561,19 +587,19 @@ class Query(ctypes.Structure):
     ]
 
 
-class Ray(ctypes.Structure):
+class Ray(Values):
     _fields_ = [("from", Vec2), ("to", Vec2)]
 
 
-class PlacedShape(ctypes.Structure):
+class PlacedShape(Values):
     _fields_ = [("shape", POINTER(Shape)), ("at", Transform)]
 
 
-class NearShape(ctypes.Structure):
+class NearShape(Values):
     _fields_ = [("shape", POINTER(Shape)), ("at", Transform), ("margin", Real)]
 
 
-class QueryHit(ctypes.Structure):
+class QueryHit(Values):
     _fields_ = [
         ("found", c_bool),
         ("body", BodyId),
@@ -584,7 +610,7 @@ class QueryHit(ctypes.Structure):
     ]
 
 
-class QueryPoint(ctypes.Structure):
+class QueryPoint(Values):
     _fields_ = [
         ("found", c_bool),
         ("body", BodyId),
@@ -595,7 +621,7 @@ class QueryPoint(ctypes.Structure):
     ]
 
 
-class RaySpan(ctypes.Structure):
+class RaySpan(Values):
     _fields_ = [
         ("entry", QueryHit),
         ("exitFraction", Real),
@@ -604,7 +630,7 @@ class RaySpan(ctypes.Structure):
     ]
 
 
-class QueryContact(ctypes.Structure):
+class QueryContact(Values):
     _fields_ = [
         ("body", BodyId),
         ("part", c_uint16),
@@ -614,11 +640,11 @@ class QueryContact(ctypes.Structure):
     ]
 
 
-class ClosestPoints(ctypes.Structure):
+class ClosestPoints(Values):
     _fields_ = [("onA", Vec2), ("onB", Vec2), ("normal", Vec2), ("distance", Real)]
 
 
-class CastDef(ctypes.Structure):
+class CastDef(Values):
     _fields_ = [
         ("head", Head),
         ("shape", Shape),
@@ -629,7 +655,7 @@ class CastDef(ctypes.Structure):
     ]
 
 
-class Mover(ctypes.Structure):
+class Mover(Values):
     _fields_ = [
         ("head", Head),
         ("shape", Shape),
@@ -651,7 +677,7 @@ class Mover(ctypes.Structure):
     ]
 
 
-class Explosion(ctypes.Structure):
+class Explosion(Values):
     _fields_ = [
         ("head", Head),
         ("center", Vec2),
@@ -662,19 +688,19 @@ class Explosion(ctypes.Structure):
     ]
 
 
-class ExplosionHit(ctypes.Structure):
+class ExplosionHit(Values):
     _fields_ = [("body", BodyId), ("point", Vec2), ("impulse", Vec2), ("width", Real)]
 
 
-class DrawColor(ctypes.Structure):
+class DrawColor(Values):
     _fields_ = [("r", c_uint8), ("g", c_uint8), ("b", c_uint8), ("a", c_uint8)]
 
 
-class DrawStyle(ctypes.Structure):
+class DrawStyle(Values):
     _fields_ = [("line", DrawColor), ("fill", DrawColor), ("width", Real)]
 
 
-class DrawOptions(ctypes.Structure):
+class DrawOptions(Values):
     _fields_ = [
         ("head", Head),
         ("shapes", c_bool),
@@ -691,7 +717,7 @@ class DrawOptions(ctypes.Structure):
     ]
 
 
-class DebugDraw(ctypes.Structure):
+class DebugDraw(Values):
     _fields_ = [
         ("head", Head),
         ("context", c_void_p),
@@ -711,7 +737,7 @@ class DebugDraw(ctypes.Structure):
     ]
 
 
-class SnapshotDef(ctypes.Structure):
+class SnapshotDef(Values):
     _fields_ = [
         ("head", Head),
         ("bytes", c_void_p),

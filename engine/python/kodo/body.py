@@ -7,11 +7,11 @@ from ctypes import byref
 from typing import TYPE_CHECKING, List, Optional, Tuple, Union
 
 from . import _structs as c
-from ._library import Real, call
+from ._library import call
 from .shapes import BuiltShape, MassDef, Part, Primitive, from_shape, to_mass
 from .values import (Aabb, BodyId, BodyType, Filter, Material, Transform, Vec2, from_aabb, from_body_id,
                      from_material, from_transform, from_vec2, to_bits, to_body_id, to_filter,
-                     to_material, to_rot, to_vec2)
+                     to_material, to_real, to_rot, to_type, to_vec2)
 
 if TYPE_CHECKING:
     from .world import World
@@ -98,7 +98,7 @@ class Body:
 
     @angular_velocity.setter
     def angular_velocity(self, radians_per_second: float) -> None:
-        self._call("kodo_setAngularVelocity", Real(radians_per_second))
+        self._call("kodo_setAngularVelocity", to_real("angular_velocity", radians_per_second))
 
     @property
     def type(self) -> BodyType:
@@ -106,7 +106,7 @@ class Body:
 
     @type.setter
     def type(self, kind: BodyType) -> None:
-        self._call("kodo_setType", ctypes.c_int32(kind))
+        self._call("kodo_setType", ctypes.c_int32(to_type(kind)))
 
     @property
     def flags(self) -> int:
@@ -151,7 +151,7 @@ class Body:
 
     @linear_damping.setter
     def linear_damping(self, per_second: float) -> None:
-        self._call("kodo_setLinearDamping", Real(per_second))
+        self._call("kodo_setLinearDamping", to_real("linear_damping", per_second))
 
     @property
     def angular_damping(self) -> float:
@@ -160,7 +160,7 @@ class Body:
 
     @angular_damping.setter
     def angular_damping(self, per_second: float) -> None:
-        self._call("kodo_setAngularDamping", Real(per_second))
+        self._call("kodo_setAngularDamping", to_real("angular_damping", per_second))
 
     @property
     def gravity_scale(self) -> float:
@@ -169,7 +169,7 @@ class Body:
 
     @gravity_scale.setter
     def gravity_scale(self, scale: float) -> None:
-        self._call("kodo_setGravityScale", Real(scale))
+        self._call("kodo_setGravityScale", to_real("gravity_scale", scale))
 
     @property
     def mass(self) -> float:
@@ -244,10 +244,10 @@ class Body:
     def move_to(self, position: Vec2, dt: float, angle: Optional[float] = None) -> None:
         """Sets the velocities that bring the shape's frame to a pose in one step of dt (s)."""
         if angle is None:
-            self._call("kodo_moveTo", to_vec2(position), Real(dt))
+            self._call("kodo_moveTo", to_vec2(position), to_real("dt", dt))
         else:
             pose = c.Transform(to_vec2(position), to_rot(angle))
-            self._call("kodo_moveToPose", pose, Real(dt))
+            self._call("kodo_moveToPose", pose, to_real("dt", dt))
 
     def apply_force(self, force: Vec2, point: Optional[Vec2] = None) -> None:
         """N, during the next step: at the centre of mass, or at a point of the world (m)."""
@@ -258,7 +258,7 @@ class Body:
 
     def apply_torque(self, torque: float) -> None:
         """N m, counter-clockwise, during the next step."""
-        self._call("kodo_applyTorque", Real(torque))
+        self._call("kodo_applyTorque", to_real("torque", torque))
 
     def apply_impulse(self, impulse: Vec2, point: Optional[Vec2] = None) -> None:
         """N s, at once: at the centre of mass, or at a point of the world (m)."""
@@ -269,7 +269,7 @@ class Body:
 
     def apply_angular_impulse(self, impulse: float) -> None:
         """N m s, counter-clockwise, at once."""
-        self._call("kodo_applyAngularImpulse", Real(impulse))
+        self._call("kodo_applyAngularImpulse", to_real("impulse", impulse))
 
     def set_material(self, material: Material) -> None:
         """Of all parts."""

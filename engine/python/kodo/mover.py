@@ -7,10 +7,10 @@ from ctypes import byref
 from typing import TYPE_CHECKING
 
 from . import _structs as c
-from ._library import Real, call
+from ._library import call
 from .shapes import BuiltShape, Capsule, Primitive
 from .values import (BodyId, Filter, Transform, Vec2, from_body_id, from_transform, from_vec2,
-                     to_body_id, to_filter, to_vec2)
+                     to_body_id, to_filter, to_real, to_vec2)
 
 if TYPE_CHECKING:
     from .world import World
@@ -48,7 +48,7 @@ class Mover:
         part across `up` is the speed along the ground. Gravity may be added always."""
         built = BuiltShape(self.shape)
         made = self._struct(built)
-        call("kodo_moveMover", world.handle, byref(made), to_vec2(wish), Real(dt))
+        call("kodo_moveMover", world.handle, byref(made), to_vec2(wish), to_real("dt", dt))
         self.position = from_vec2(made.position)
         self.velocity = from_vec2(made.velocity)
         self.grounded = made.grounded

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 import dataclasses
 import enum
+import operator
 from typing import NamedTuple, Optional, Sequence, Tuple, Type
 
 from . import _structs as c
@@ -147,15 +148,33 @@ def to_vec2(value: Sequence[float]) -> c.Vec2:
         raise TypeError(f"a vector must be two numbers, (x, y), but is {value!r}") from None
 
 
+def to_real(name: str, value: float) -> ctypes._SimpleCData[float]:
+    try:
+        return Real(value)
+    except TypeError:
+        raise TypeError(f"{name}: must be a number, but is {value!r}") from None
+
+
+def to_type(value: BodyType) -> int:
+    try:
+        return BodyType(value)
+    except ValueError:
+        raise TypeError(f"type: must be a BodyType, but is {value!r}") from None
+
+
 def to_bits(name: str, value: int) -> int:
     """64 bits. ctypes alone would cut off what is beyond them."""
-    if not 0 <= int(value) < 1 << 64:
+    try:
+        bits = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name}: must be an integer, but is {value!r}") from None
+    if not 0 <= bits < 1 << 64:
         raise ValueError(f"{name}: must have bits 0 to 63, but is {value}")
-    return int(value)
+    return bits
 
 
 def to_rot(angle: float) -> c.Rot:
-    return library.kodo_rotation(Real(angle))
+    return library.kodo_rotation(to_real("angle", angle))
 
 
 def to_aabb(box: Aabb) -> c.Aabb:

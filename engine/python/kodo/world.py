@@ -9,7 +9,7 @@ from typing import Any, Iterator, List, Optional, Sequence, Tuple, Type, TypeVar
 
 from . import _structs as c
 from . import fields as _fields
-from ._library import Real, call, library
+from ._library import call, library
 from .body import Body
 from .buffers import readable, writable
 from .fields import Field, OwnField
@@ -20,7 +20,7 @@ from .settings import Settings, from_settings, to_settings
 from .shapes import BuiltShape, Circle, MassDef, Shape, to_mass
 from .values import (Aabb, BodyId, BodyType, Filter, JointId, Material, StartOverlap, Vec2, from_aabb,
                      from_body_id, from_joint_id, from_vec2, to_aabb, to_array, to_bits, to_body_id,
-                     to_filter, to_joint_id, to_material, to_rot, to_vec2)
+                     to_filter, to_joint_id, to_material, to_real, to_rot, to_type, to_vec2)
 
 #: A handle or an id names a body.
 BodyLike = Union[Body, BodyId]
@@ -148,7 +148,7 @@ class World:
         if mass is not None:
             definition.hasMass = True
             definition.mass = to_mass(mass if isinstance(mass, MassDef) else MassDef(mass))
-        definition.type = int(type)
+        definition.type = to_type(type)
         definition.flags = to_bits("flags", flags)
         definition.required = to_bits("required", required)
         definition.group = group
@@ -272,8 +272,8 @@ class World:
         """(hertz, damping) for a spring of that stiffness (N/m) and damping (N s/m), with the
         present masses of the bodies; of a RevoluteJoint N m/rad and N m s/rad."""
         spring = c.Spring()
-        call("kodo_springOf", self.handle, byref(to_joint(joint)), Real(stiffness), Real(damping),
-             byref(spring))
+        call("kodo_springOf", self.handle, byref(to_joint(joint)),
+             to_real("stiffness", stiffness), to_real("damping", damping), byref(spring))
         return (spring.hertz, spring.damping)
 
     def joint_state(self, joint: JointId) -> JointState:
@@ -324,7 +324,8 @@ class World:
 
     def apply_torque_to_all(self, torque: float, which: Filter = Filter()) -> None:
         """N m, likewise."""
-        call("kodo_applyTorqueToAll", self.handle, Real(torque), byref(to_filter(which)))
+        call("kodo_applyTorqueToAll", self.handle, to_real("torque", torque),
+             byref(to_filter(which)))
 
     # Steps.
 
@@ -335,7 +336,7 @@ class World:
         if pool is not None:
             options = c.initialised(c.StepOptions)
             options.pool = pool.handle
-        call("kodo_step", self.handle, Real(dt), options and byref(options))
+        call("kodo_step", self.handle, to_real("dt", dt), options and byref(options))
         _fields.raise_errors()
 
     @property
@@ -394,7 +395,7 @@ class World:
 
     def hits(self, min_speed: float) -> List[CollisionRecord]:
         """Impacts with an approach speed of at least min_speed (m/s)."""
-        found = self._list("kodo_hits", c.CollisionRecord, Real(min_speed))
+        found = self._list("kodo_hits", c.CollisionRecord, to_real("min_speed", min_speed))
         return [from_record(each) for each in found]
 
     # Drawing.
@@ -507,8 +508,8 @@ class World:
                       ignore: Sequence[BodyLike] = ()) -> Optional[QueryPoint]:
         """The closest body within max_distance (m)."""
         found = c.QueryPoint()
-        call("kodo_closestPoint", self.handle, to_vec2(point), Real(max_distance),
-             byref(_query(which, ignore)), byref(found))
+        call("kodo_closestPoint", self.handle, to_vec2(point),
+             to_real("max_distance", max_distance), byref(_query(which, ignore)), byref(found))
         return from_query_point(found) if found.found else None
 
     def closest_point_of(self, body: BodyLike, point: Vec2) -> QueryPoint:
