@@ -3,6 +3,10 @@
 
 #include <kodo/kodo.hpp>
 
+#include <gtest/gtest.h>
+
+#include <string>
+
 namespace field {
 namespace {
 
@@ -39,6 +43,34 @@ inline BodyId addSleepingBox(World& world, Vec2 position = {0, Real(0.5)}) {
     const BodyId box = world.add({.shape = kodo::Box{1, 1}, .position = position});
     run(world, 3);
     return box;
+}
+
+/// A solver and a rate of steps.
+struct Setting {
+    kodo::StepSettings settings;
+    Real dt = 0; // s
+    bool thesis = false;
+
+    World world(Vec2 gravity = {0, -10}) const {
+        return World({.gravity = gravity, .settings = settings});
+    }
+    void run(World& world, Real seconds) const {
+        for (Real t = 0; t < seconds - dt / 2; t += dt) {
+            world.step(dt);
+        }
+    }
+};
+
+/// Runs a test in both solvers at 30, 60 and 240 Hz.
+template <typename Test>
+void inAllSettings(Test test) {
+    for (const bool thesis : {false, true}) {
+        for (const int rate : {30, 60, 240}) {
+            SCOPED_TRACE((thesis ? "thesis, Hz: " : "soft, Hz: ") + std::to_string(rate));
+            test(Setting{thesis ? kodo::thesis2006() : kodo::balanced(),
+                         1 / static_cast<Real>(rate), thesis});
+        }
+    }
 }
 
 } // namespace
