@@ -29,28 +29,28 @@ constexpr Real kNever = RelativePath::kNever;
 constexpr Real kAhead = sizeof(Real) == 4 ? 512 : 32768;
 
 /// One of the two moving shapes.
-struct Mover {
+struct MovingShape {
     const ConvexShape& shape;
     const MotionPath& sweep;
 };
 
 /// Upper bound (m per step) of the approach of any point by rotation alone. For a plane, only the
 /// part within reach of the other shape counts.
-Real turningBound(Mover mover, Mover other) {
-    if (mover.sweep.deltaAngle == 0) {
+Real turningBound(MovingShape moving, MovingShape other) {
+    if (moving.sweep.deltaAngle == 0) {
         return 0; // as most static bodies
     }
-    Real rotationReach = mover.shape.rotationReach();
-    if (mover.shape.isPlane()) {
-        rotationReach = length(other.sweep.start.position - mover.sweep.start.position) +
-                        length(other.sweep.deltaPosition) + length(mover.sweep.deltaPosition) +
+    Real rotationReach = moving.shape.rotationReach();
+    if (moving.shape.isPlane()) {
+        rotationReach = length(other.sweep.start.position - moving.sweep.start.position) +
+                        length(other.sweep.deltaPosition) + length(moving.sweep.deltaPosition) +
                         length(other.sweep.push) + other.shape.boundingRadius;
     }
-    return rotationReach * std::abs(mover.sweep.deltaAngle);
+    return rotationReach * std::abs(moving.sweep.deltaAngle);
 }
 
 /// Relative path from t on, until one of the two stops.
-RelativePath relativePathFrom(Mover a, Mover b, Real t, Real target) {
+RelativePath relativePathFrom(MovingShape a, MovingShape b, Real t, Real target) {
     const bool goesA = t < a.sweep.stopAt;
     const bool goesB = t < b.sweep.stopAt;
     const Real stopA = goesA ? a.sweep.stopAt : 1;
@@ -66,7 +66,7 @@ RelativePath relativePathFrom(Mover a, Mover b, Real t, Real target) {
 
 /// True if the bounding discs of both shapes come within `target` of each other on their paths,
 /// from the fraction `from` of the step on.
-bool discsMeet(Mover a, Mover b, Real target, Real from) {
+bool discsMeet(MovingShape a, MovingShape b, Real target, Real from) {
     if (a.shape.isPlane() || b.shape.isPlane()) {
         return true; // a plane has no bounding disc
     }
@@ -92,7 +92,7 @@ bool discsMeet(Mover a, Mover b, Real target, Real from) {
 /// Conservative advancement from the fraction t of the step on, with a given function for the
 /// bound.
 template <typename Look>
-Real advance(Mover a, Mover b, Real target, Real t, Look lookAhead) {
+Real advance(MovingShape a, MovingShape b, Real target, Real t, Look lookAhead) {
     Real most = 1;
     for (int round = 0; round < kMostRounds; ++round) {
         RelativePath path = relativePathFrom(a, b, t, target);
@@ -117,7 +117,7 @@ Real advance(Mover a, Mover b, Real target, Real t, Look lookAhead) {
 
 /// The same with one axis at a time.
 template <typename Measure>
-Real advanceAlong(Mover a, Mover b, Real target, Measure separationAt) {
+Real advanceAlong(MovingShape a, MovingShape b, Real target, Measure separationAt) {
     return advance(a, b, target, 0,
                    [&](const Transform& at, const Transform& bt, const RelativePath& path) {
                        const Separation now = separationAt(at, bt);
@@ -151,7 +151,7 @@ Separation fromVertex(const ConvexShape& line, std::size_t end, const Transform&
 /// A shape in front first touches the line along the line's normal, or at a vertex along a
 /// direction that the line owns there. All other impacts belong to neighbours, or the shape passes
 /// through.
-Real impactOnOneSided(Mover line, Mover other, Real target) {
+Real impactOnOneSided(MovingShape line, MovingShape other, Real target) {
     const auto above = [&](const Transform& a, const Transform& b) {
         return aboveLine(line.shape, a, other.shape, b);
     };
@@ -184,7 +184,7 @@ Real impactOnOneSided(Mover line, Mover other, Real target) {
 /// A linked two-sided line as that side of its chain on which the other shape starts: what slides
 /// over a vertex does not touch the end of the next line. None for other shapes, and for a line
 /// with a free end, which is met from all sides.
-std::optional<ConvexShape> sideTowards(Mover line, Mover other) {
+std::optional<ConvexShape> sideTowards(MovingShape line, MovingShape other) {
     if (!line.shape.isLine() || line.shape.oneSided || isFree(line.shape, 0) ||
         isFree(line.shape, 1) || other.shape.isPlane()) {
         return std::nullopt;
@@ -202,7 +202,7 @@ Real heightOver(Vec2 normal, const ConvexShape& line, const Transform& a, Vec2 p
 
 /// Fraction of the step after which a point of another body has come down to slop / 4 (m) over a
 /// line, between its ends; to -slop if it starts lower than `slop`; kNever if it does not.
-Real timeOfPoint(Mover line, Vec2 normal, Mover other, Vec2 point, Real slop) {
+Real timeOfPoint(MovingShape line, Vec2 normal, MovingShape other, Vec2 point, Real slop) {
     const auto above = [&](const Transform& a, const Transform& b) {
         return Separation{a.rotation * normal, heightOver(normal, line.shape, a, point, b)};
     };
@@ -221,7 +221,7 @@ Real timeOfPoint(Mover line, Vec2 normal, Mover other, Vec2 point, Real slop) {
 }
 
 /// True if a one-sided line faces away from a plane.
-bool turnsAway(Mover line, Mover plane) {
+bool turnsAway(MovingShape line, MovingShape plane) {
     const Vec2 front = line.sweep.start.rotation * line.shape.normals[1];
     return dot(front, plane.sweep.start.rotation * plane.shape.normals[0]) > 0;
 }
@@ -230,28 +230,28 @@ bool turnsAway(Mover line, Mover plane) {
 
 Real timeOfImpact(const ConvexShape& shapeA, const MotionPath& a, const ConvexShape& shapeB,
                   const MotionPath& b, Real target, Real from) {
-    const Mover moverA{shapeA, a};
-    const Mover moverB{shapeB, b};
-    if ((shapeA.oneSided && shapeB.isPlane() && turnsAway(moverA, moverB)) ||
-        (shapeB.oneSided && shapeA.isPlane() && turnsAway(moverB, moverA))) {
+    const MovingShape movingA{shapeA, a};
+    const MovingShape movingB{shapeB, b};
+    if ((shapeA.oneSided && shapeB.isPlane() && turnsAway(movingA, movingB)) ||
+        (shapeB.oneSided && shapeA.isPlane() && turnsAway(movingB, movingA))) {
         return kNever;
     }
-    if (!discsMeet(moverA, moverB, target, from)) {
+    if (!discsMeet(movingA, movingB, target, from)) {
         return kNever;
     }
-    if (const auto side = sideTowards(moverA, moverB)) {
+    if (const auto side = sideTowards(movingA, movingB)) {
         return timeOfImpact(*side, a, shapeB, b, target, from);
     }
-    if (const auto side = sideTowards(moverB, moverA)) {
+    if (const auto side = sideTowards(movingB, movingA)) {
         return timeOfImpact(shapeA, a, *side, b, target, from);
     }
     if (shapeA.oneSided && !shapeB.isPlane()) {
-        return impactOnOneSided(moverA, moverB, target);
+        return impactOnOneSided(movingA, movingB, target);
     }
     if (shapeB.oneSided && !shapeA.isPlane()) {
-        return impactOnOneSided(moverB, moverA, target);
+        return impactOnOneSided(movingB, movingA, target);
     }
-    return advance(moverA, moverB, target, from,
+    return advance(movingA, movingB, target, from,
                    [&](const Transform& at, const Transform& bt, const RelativePath& path) {
                        return separationBoundOf(shapeA, at, shapeB, bt, path);
                    });
@@ -263,8 +263,8 @@ Real timeBehind(const ConvexShape& line, const MotionPath& a, const ConvexShape&
     if (heightOverJoints(line, between(a.start, b.start) * other.middle, slop) < -slop) {
         return kNever;
     }
-    const Mover ground{line, a};
-    const Mover above{other, b};
+    const MovingShape ground{line, a};
+    const MovingShape above{other, b};
     Real first = timeOfPoint(ground, normal, above, other.middle, slop);
     if (other.coreRadius < slop) {
         for (const Vec2 vertex : other.vertices) {

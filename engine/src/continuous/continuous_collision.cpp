@@ -104,8 +104,8 @@ bool closes(const Bodies& bodies, const ContactSet& contactSet, std::uint32_t sl
     if (!summary.bounces && !againstLocked && !mayGoFarther(bodies, summary, far)) {
         return false; // most pairs of a pile
     }
-    const Mover a{summary.bodyA, extentA.rotationReach};
-    const Mover b{summary.bodyB, extentB.rotationReach};
+    const MovingBody a{summary.bodyA, extentA.rotationReach};
+    const MovingBody b{summary.bodyB, extentB.rotationReach};
     const Real motion = relativeMotion(bodies, a, b);
     const Real gap = gapOf(bodies, contactSet, slot, tolerances);
     if (motion < gap || (motion <= far && !summary.bounces)) {
@@ -233,11 +233,11 @@ MotionPath ContinuousCollision::pathOf(const Bodies& bodies, std::uint32_t body)
 }
 
 Real ContinuousCollision::motionOf(const Bodies& bodies, const Contact& contact) const {
-    const auto moverOf = [&](std::uint32_t body, std::uint16_t part) {
-        return Mover{body, bodies.convex(body, part).rotationReach(), stopAt_[body]};
+    const auto movingOf = [&](std::uint32_t body, std::uint16_t part) {
+        return MovingBody{body, bodies.convex(body, part).rotationReach(), stopAt_[body]};
     };
     const auto [bodyA, partA, bodyB, partB] = contact.key;
-    return relativeMotion(bodies, moverOf(bodyA, partA), moverOf(bodyB, partB));
+    return relativeMotion(bodies, movingOf(bodyA, partA), movingOf(bodyB, partB));
 }
 
 Real ContinuousCollision::impactTime(const Bodies& bodies, const Contact& contact, Real gap,

@@ -31,9 +31,9 @@ Real wayOf(const BodyVelocity& motion, Real rotationReach) {
 
 } // namespace
 
-Real relativeMotion(const Bodies& bodies, const Mover& moverA, const Mover& moverB) {
-    const auto& [bodyA, rotationReachA, stopA] = moverA;
-    const auto& [bodyB, rotationReachB, stopB] = moverB;
+Real relativeMotion(const Bodies& bodies, const MovingBody& movingA, const MovingBody& movingB) {
+    const auto& [bodyA, rotationReachA, stopA] = movingA;
+    const auto& [bodyB, rotationReachB, stopB] = movingB;
     const BodyVelocity& a = bodies.motion[bodyA];
     const BodyVelocity& b = bodies.motion[bodyB];
     // The sum of both motions is a bound, too. Without it, a pair that ContinuousCollision excludes

@@ -8,7 +8,7 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 
 /// A body of a pair that may meet.
-struct Mover {
+struct MovingBody {
     std::uint32_t body;
     Real rotationReach; // m, of its shape; see ConvexShape
     Real stopAt = 1;    // fraction of the step
@@ -16,7 +16,7 @@ struct Mover {
 
 /// Bound (m) of the motion of two shapes towards each other within the step. It is small for bodies
 /// that move together.
-Real relativeMotion(const Bodies& bodies, const Mover& moverA, const Mover& moverB);
+Real relativeMotion(const Bodies& bodies, const MovingBody& movingA, const MovingBody& movingB);
 
 /// Separation (m) at the start of the step of a pair without a sensor.
 Real gapOf(const Bodies& bodies, const ContactSet& contactSet, std::uint32_t slot,
