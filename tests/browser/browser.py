@@ -54,6 +54,18 @@ class Browser:
     def run(self, script):
         return self.call("POST", "/execute/sync", {"script": script, "args": []})
 
+    def later(self, promise):
+        """What a promise of the page is kept with."""
+        return self.call("POST", "/execute/async", {"args": [], "script":
+                         f"const done = arguments[0]; Promise.resolve({promise}).then(done, done);"})
+
+    def grant(self, permission):
+        self.command("Browser.grantPermissions", {"permissions": [permission]})
+
+    def command(self, name, parameters):
+        """A command of Chromium's own protocol."""
+        self.call("POST", "/goog/cdp/execute", {"cmd": name, "params": parameters})
+
     def act(self, kind, actions, **more):
         self.call("POST", "/actions", {"actions": [
             {"type": kind, "id": kind + str(more), "actions": actions, **more}]})
@@ -81,13 +93,14 @@ class Browser:
                              {"type": "pointerUp", "button": 0}],
                  parameters={"pointerType": "touch"})
 
-    def picture(self, path):
-        path.write_bytes(base64.b64decode(self.call("GET", "/screenshot")))
+    def shot(self):
+        """The page as a PNG."""
+        return base64.b64decode(self.call("GET", "/screenshot"))
 
     def resize(self, width, height):
         """Sets the size of the page (pixels)."""
-        self.call("POST", "/goog/cdp/execute", {"cmd": "Emulation.setDeviceMetricsOverride", "params": {
-            "width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 600}})
+        self.command("Emulation.setDeviceMetricsOverride", {
+            "width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 600})
 
     def faults(self):
         log = self.call("POST", "/se/log", {"type": "browser"})
@@ -143,4 +156,4 @@ class Trial:
             self.failed.append(sentence)
 
     def shot(self, name):
-        self.browser.picture(self.pictures / f"browser-{name}.png")
+        (self.pictures / f"browser-{name}.png").write_bytes(self.browser.shot())

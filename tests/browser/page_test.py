@@ -1,10 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Plays aPart in a headless Chromium, as a player would: page_test.py PAGE PICTURES
+"""Plays aPart in a headless Chromium, as a player would: page_test.py PAGE PICTURES PROGRAM...
 
-PAGE is the folder that tools/web builds. Pictures are written to the folder PICTURES. Exit code: 0
-all held, 1 something did not, 77 chromium or chromedriver is missing."""
+PAGE is the folder that tools/web builds. Pictures are written to the folder PICTURES. PROGRAM is the
+command of an apart-headless. Exit code: 0 all held, 1 something did not, 77 chromium or chromedriver
+is missing."""
+import datetime
 import pathlib
+import subprocess
 import sys
 import time
 
@@ -52,23 +55,66 @@ class Game(Trial):
         self.expect(state(self.browser, 1) == tick, "a paused game stands still")
         self.shot("pause")
 
-    def lose(self):
-        self.browser.open(self.address + "#level=first_light")
+    def lost(self):
+        """A context is lost when the machine sleeps, for instance."""
+        self.browser.open(self.address + "#level=quarry")
+        wait(self.browser, 1, lambda tick: tick > 30)
+        before = len(self.browser.shot())
+        self.browser.run("""window.losing = document.getElementById("canvas").getContext("webgl2")
+            .getExtension("WEBGL_lose_context"); losing.loseContext();""")
+        time.sleep(0.5)
+        blank, tick = len(self.browser.shot()), state(self.browser, 1)
+        self.browser.run("losing.restoreContext();")
+        self.expect(wait(self.browser, 1, lambda now: now > tick + 30), "the game goes on without a context")
+        after = len(self.browser.shot())
+        self.expect(after > 0.8 * before > 1.6 * blank,
+                    f"the picture comes back with it ({before}, {blank}, {after} bytes)")
+        self.shot("restored")
+
+    def aside(self, link):
+        """Plays what a link names to its end, at the left wall."""
+        self.browser.open(self.address + link)
         wait(self.browser, 0, lambda screen: screen == PLAYING)
         for _ in range(90):
             self.browser.press(" ")
             self.browser.hold("left", 0.5)
             if state(self.browser, 0) == OVER:
                 break
+
+    def lose(self):
+        self.aside("#level=first_light")
         self.expect(state(self.browser, 0) == OVER, "a game of a player who stays aside ends")
         self.shot("results")
 
+    def daily(self, program):
+        """A day has one run for all: the program without a page counts the same result."""
+        day = datetime.date(2026, 11, 26)
+        self.aside(f"#daily={day}")
+        self.expect(state(self.browser, 3) == int(f"{day:%Y%m%d}") + 1, "a day is the seed of its serves")
+        self.shot("daily")
+        self.browser.grant("clipboardReadWrite")
+        self.browser.press("c")
+        time.sleep(0.5)
+        copied = self.browser.later("navigator.clipboard.readText()")
+        line, link = copied.split("\n")
+        self.expect(link.startswith(self.address + "#replay="), "C copies a link to the game")
+        file = self.pictures / "daily.replay"
+        file.write_bytes(bytes(self.browser.run("return [...FS.readFile('/player/apart/last.replay')];")))
+        told = subprocess.run([*program, "replay", str(file)], capture_output=True, text=True, check=False)
+        self.expect(told.returncode == 0 and line in told.stdout.splitlines(), f"its result: {line}")
+        self.browser.open(link)
+        self.expect(wait(self.browser, 1, lambda tick: tick > 60), "the link of a daily run plays it")
+        today = [datetime.datetime.now(datetime.timezone.utc).date()]
+        self.browser.open(self.address + "#daily")
+        wait(self.browser, 0, lambda screen: screen == PLAYING)
+        today.append(datetime.datetime.now(datetime.timezone.utc).date()) # midnight may have passed
+        self.expect(state(self.browser, 3) - 1 in [int(f"{each:%Y%m%d}") for each in today],
+                    "#daily is the run of today")
+
     def link(self):
-        made = self.browser.call("POST", "/execute/async", {"args": [], "script": """
-            const done = arguments[0];
-            const file = "/player/apart/last.replay";
+        made = self.browser.run("""const file = "/player/apart/last.replay";
             const link = Module.ccall("linkOfLastGame", "string", ["string"], [file]);
-            done([link.slice("#replay=".length), FS.readFile(file).length]);"""})
+            return [link.slice("#replay=".length), FS.readFile(file).length];""")
         print(f"a replay of {made[1]} bytes is a link of {len(made[0])} letters")
         self.browser.open(self.address + "#replay=" + made[0])
         self.expect(wait(self.browser, 1, lambda tick: tick > 60), "the link of a replay plays it")
@@ -87,15 +133,17 @@ class Game(Trial):
         self.shot("touch")
 
 
-def main(page, pictures):
+def main(page, pictures, program):
     if missing():
         print("Missing: " + ", ".join(missing()))
         return 77
     pictures.mkdir(parents=True, exist_ok=True)
     with served(page) as address, chromium() as browser:
         game = Game(browser, address + "index.html", pictures)
-        for part in (game.title, game.level, game.lose, game.link, game.touch):
+        for part in (game.title, game.level, game.lost, game.lose, game.link):
             part()
+        game.daily(program)
+        game.touch()
         faults = browser.faults()
         game.expect(not faults, f"the browser reports no error {faults[:3]}")
     print(f"{len(game.failed)} failed")
@@ -103,6 +151,6 @@ def main(page, pictures):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 3:
+    if len(sys.argv) < 4:
         sys.exit(__doc__)
-    sys.exit(main(pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])))
+    sys.exit(main(pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]), sys.argv[3:]))

@@ -51,6 +51,15 @@ StageDef withRuns() {
     return def;
 }
 
+TEST(Daily, AStageMayStartWithTheRunOfADay) {
+    StageDef def = withRuns();
+    def.firstDay = kToday - 1;
+    StageRig rig(std::move(def));
+    ASSERT_EQ(rig.stage.screen(), Screen::Playing);
+    EXPECT_TRUE(rig.picture().says("Daily run 2026-11-25, level 1"));
+    EXPECT_EQ(rig.stage.game().seed(), dailySeed(kToday - 1, 1));
+}
+
 TEST(Daily, ItsScoreStandsOnTheTitleAndApartFromEndlessRuns) {
     std::vector<ReplayRun> kept;
     StageDef def = withRuns();

@@ -201,6 +201,8 @@ std::variant<StageDef, std::string> setUp(const StartOptions& options) {
         problem = takeRival(def, options.ghost);
     } else if (!options.edit.empty()) {
         problem = takeEdit(def, options.edit);
+    } else if (const auto day = options.level == "daily" ? today() : dayOf(options.level)) {
+        def.firstDay = *day;
     } else if (const auto row = parseEndless(options.level)) {
         runSeed = options.level == "endless" ? runSeed : std::optional(row->seed);
         def.firstEndless = row->number;

@@ -12,7 +12,7 @@ namespace apart {
 
 /// What to start with.
 struct StartOptions {
-    std::string level;                 // empty: choose on the title screen
+    std::string level;                 // empty: choose on the title screen; daily, endless
     std::optional<std::uint32_t> seed; // nullopt: random
     std::string replay;                // file; empty: the player plays
     std::string ghost;                 // file or link of a rival's replay; empty: none

@@ -24,8 +24,8 @@ std::variant<Options, int> parseOptions(int argc, char** argv) {
         "Exit code: 0 done, 2 wrong use or a bad file, 3 no display.");
     app.set_version_flag("--version", "aPart " + versionText());
     app.add_option("--level", options.level,
-                   "Start with this level: the name of one of the game, or a file .toml,\n"
-                   "which is read again whenever it changes")
+                   "Start with this level: the name of one of the game, daily, endless, or\n"
+                   "a file .toml, which is read again whenever it changes")
         ->check(wrongName, "");
     app.add_option("--seed", options.seed,
                    "0..4294967295; the same seed and input give the same game")

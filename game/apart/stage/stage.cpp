@@ -88,8 +88,8 @@ Stage::Stage(StageDef def)
         enterShow();
     } else if (def_.firstEdit) {
         edit(std::move(*def_.firstEdit));
-    } else if (def_.firstEndless > 0) {
-        beginRun(0);
+    } else if (def_.firstEndless > 0 || def_.firstDay > 0) {
+        beginRun(def_.firstDay);
     } else if (def_.startAtOnce) {
         begin(level_);
     } else {

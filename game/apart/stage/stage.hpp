@@ -47,6 +47,7 @@ struct StageDef {
     /// The current day, for daily runs, and their levels.
     std::function<Day()> today{};
     std::function<std::shared_ptr<const Level>(Day, std::uint32_t)> daily{};
+    Day firstDay = 0; // of the daily run to start with; 0: none
     /// Called twice a second, if set: the first level, if its file has changed.
     std::function<std::optional<LevelChange>()> reload{};
     /// Replays to watch, the latest first.

@@ -23,6 +23,8 @@ constexpr const char* kElement = "#canvas";
 EM_JS(void, complain, (const char* sentence), { Module.complain(UTF8ToString(sentence)); });
 // Copies the files of the player to the browser's storage, if it has any.
 EM_JS(void, keepFiles, (), { Module.keepFiles(); });
+// Copies a text to the clipboard; the page's address goes before its link.
+EM_JS(void, copyText, (const char* text), { Module.copyText(UTF8ToString(text)); });
 
 /// Everything that lives as long as the page.
 struct Page {
@@ -153,7 +155,8 @@ void keepInBrowser(StageDef& def) {
 } // namespace
 } // namespace apart
 
-/// `level` and `replay` may be empty: what a link names. The replay is a file.
+/// `level` and `replay` may be empty: what a link names. The level may be a daily run: daily, or
+/// daily-2026-11-26. The replay is a file.
 extern "C" EMSCRIPTEN_KEEPALIVE void startGame(const char* level, const char* replay) {
     using namespace apart;
     StartOptions options;
@@ -165,6 +168,7 @@ extern "C" EMSCRIPTEN_KEEPALIVE void startGame(const char* level, const char* re
     }
     auto& stage = std::get<StageDef>(def);
     keepInBrowser(stage);
+    stage.copy = [](const std::string& text) { copyText(text.c_str()); };
     thePage = std::make_unique<Page>(std::move(stage));
     if (!openContext(thePage->canvas)) {
         return complain("This browser has no WebGL 2, which the game is drawn with.");
@@ -190,7 +194,7 @@ extern "C" EMSCRIPTEN_KEEPALIVE void pressButton(int button) {
     }
 }
 
-/// State of the game, for tests: the screen, the tick, the score.
+/// State of the game, for tests: 0 the screen, 1 the tick, 2 the score, 3 the seed of the serves.
 extern "C" EMSCRIPTEN_KEEPALIVE int gameState(int what) {
     if (!apart::thePage) {
         return -1;
@@ -201,8 +205,10 @@ extern "C" EMSCRIPTEN_KEEPALIVE int gameState(int what) {
         return static_cast<int>(stage.screen());
     case 1:
         return static_cast<int>(stage.game().ticks());
-    default:
+    case 2:
         return stage.game().score();
+    default:
+        return static_cast<int>(stage.game().seed());
     }
 }
 

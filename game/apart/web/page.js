@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Prepares what the game needs of the page: typefaces, the player's files, links, buttons.
 //
-// A link may name what to start with: #level=NAME, #daily or #replay=DATA. DATA is a packed replay
-// (replay_link.hpp) or, in older links, its text, compressed by raw deflate; as base64 for URLs.
+// A link may name what to start with: #level=NAME, #daily, #daily=2026-11-26 or #replay=DATA. DATA is
+// a packed replay (replay_link.hpp) or, in older links, its text, compressed by raw deflate; as base64
+// for URLs.
 "use strict";
 
 const news = document.getElementById("news");
@@ -29,7 +30,9 @@ async function through(stream, bytes) {
 /// What the link of the page asks for.
 async function wishes() {
     const asked = new URLSearchParams(location.hash.slice(1));
-    const wish = { level: asked.get("level") || "", replay: "" };
+    const day = asked.get("daily");
+    const daily = day === null ? "" : day === "" ? "daily" : "daily-" + day;
+    const wish = { level: asked.get("level") || daily, replay: "" };
     if (asked.has("replay")) {
         const data = fromLink(asked.get("replay"));
         const packed = data[0] === packedMark;
@@ -44,12 +47,20 @@ async function copyLink() {
     if (data === "") {
         return flash("There is no game to link to yet.");
     }
-    const link = location.href.split("#")[0] + data;
-    try {
-        await navigator.clipboard.writeText(link);
+    if (await copyText(data)) {
         flash("The link to your last game is copied.");
+    }
+}
+
+/// Copies a text whose link begins at #replay=. A browser that refuses shows it, to be copied there.
+async function copyText(text) {
+    const whole = text.replace("#replay=", location.href.split("#")[0] + "#replay=");
+    try {
+        await navigator.clipboard.writeText(whole);
+        return true;
     } catch (error) {
-        window.prompt("The link to your last game:", link);
+        window.prompt("Copy this:", whole.replace("\n", " "));
+        return false;
     }
 }
 
@@ -130,6 +141,7 @@ var Module = {
     print: (line) => console.log(line),
     printErr: (line) => console.warn(line),
     complain: tell,
+    copyText,
     keepFiles: () => {},
     preRun: [() => {
         // Private windows refuse storage: the files then last as long as the page.
