@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Kodo, a 2D rigid-body engine. SI units; x to the right, y up, angles counter-clockwise.
 import type {
-  Aabb, BodyCalls, BodyDef, BodyId, BodyState, DrawOptions, DrawStyle, Field, FieldBody, FieldForce,
-  JointDef, JointId, Material, Part, Profile, Rot, Settings, Shape, Vec2,
-  WorldCalls, WorldDef,
+  Aabb, BodyCalls, BodyDef, BodyId, BodyState, DrawOptions, DrawStyle, Explosion, ExplosionHit,
+  Field, FieldBody, FieldForce, JointDef, JointId, Material, Mover as MoverNumbers, Part, Profile,
+  Rot, Settings, Shape, Vec2, WorldCalls, WorldDef,
 } from "./layout.js";
 export * from "./layout.js";
 
@@ -115,6 +115,9 @@ export class World {
   addField(field: Input<Field>): void;
   setFields(fields: Input<Field>[]): void;
 
+  /** Pushes all dynamic bodies in reach, and lists them in the order of ids. */
+  explode(explosion: Input<Explosion>): ExplosionHit[];
+
   /** Draws bodies, joints, and what the last step did. */
   draw(target: DebugDraw, options?: Input<DrawOptions>): void;
 }
@@ -143,6 +146,17 @@ export class Body {
   part(index: number): Part;
 }
 export interface Body extends BodyCalls {}
+
+/** A character that is moved by casts instead of forces. It walks on slopes, climbs steps, stays on
+ * the ground over crests, and rides on moving bodies. A value: `new Mover(mover)` copies it. */
+export class Mover {
+  constructor(def?: Input<MoverNumbers>);
+  /** Moves for dt (s) after World.step(), with a wished velocity (m/s). With a part along `up` the
+   * mover jumps, with the velocity of the ground. Else, on the ground, the part across `up` is the
+   * speed along the ground. Gravity may be added always. */
+  move(world: World, wish: Vec2, dt: number): void;
+}
+export interface Mover extends MoverNumbers {}
 
 /** Some bodies of a World. Views are of the memory of the engine: read them before the next call. */
 export class BodyList {

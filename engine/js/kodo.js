@@ -217,6 +217,18 @@ export class World {
       handleOf(this), writeMany("Field", fields, "fields"), fields.length)));
   }
 
+  // Explosions.
+
+  explode(explosion) {
+    return within(() => {
+      const most = this.bodyCount(); // a second call for a longer list would push again
+      const [hits, count] = [room(Math.max(1, most * sizeOf("ExplosionHit"))), room(4)];
+      check(wasm.kodo_explode(
+        handleOf(this), made("Explosion", explosion, "explosion"), hits, most, count));
+      return readMany("ExplosionHit", hits, data().getUint32(count, true));
+    });
+  }
+
   // Pictures.
 
   draw(target, options = {}) {
@@ -299,6 +311,22 @@ function addMethods(owner, calls, nameOf, first) {
 }
 addMethods(World, layout.worldCalls, (name) => name, (world) => [world]);
 addMethods(Body, layout.bodyCalls, (name) => name.replace("Body", ""), (body) => [body.world, body]);
+
+// Characters.
+
+export class Mover {
+  constructor(def = {}) {
+    Object.assign(this, within(() => read("Mover", made("Mover", def, "mover"))));
+  }
+
+  move(world, wish, dt) {
+    within(() => {
+      const at = made("Mover", this, "mover");
+      check(wasm.kodo_moveMover(handleOf(world), at, made("Vec2", wish, "wish"), dt));
+      Object.assign(this, read("Mover", at));
+    });
+  }
+}
 
 // Many bodies.
 

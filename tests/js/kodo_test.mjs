@@ -248,6 +248,54 @@ test("a field of the user acts, and its exception is thrown after the step", () 
   assert.equal(ball.velocity.y, -5);
 });
 
+test("a mover walks to a wall, goes back with its World, and jumps", () => {
+  const world = withGround();
+  world.add({ shape: box(1, 4), position: { x: 4, y: 2 }, type: kodo.BodyType.Static });
+  const mover = new kodo.Mover({ shape: circle(0.5), position: { x: 0, y: 0.6 } });
+  const walk = (one, place, steps) => {
+    for (let i = 0; i < steps; ++i) {
+      place.step(kDt);
+      one.move(place, { x: 3, y: one.velocity.y + kDown.y * kDt }, kDt);
+    }
+    return one.position;
+  };
+  walk(mover, world, 30);
+  assert.ok(mover.grounded);
+  assert.deepEqual([mover.groundBody.index, mover.groundNormal.y], [0, 1]);
+  const [past, copy] = [world.copy(), new kodo.Mover(mover)];
+  const end = walk(mover, world, 60);
+  assert.ok(Math.abs(end.x - (3.5 - 0.5 - mover.skin)) < 1e-5, `${end.x}`); // m: some roundings
+  assert.equal(mover.wallNormal.x, -1);
+  assert.deepEqual(walk(copy, past, 60), end);
+  mover.move(world, { x: 0, y: 5 }, kDt);
+  assert.ok(!mover.grounded && mover.position.y > end.y + 0.05);
+  mover.position = { x: -3, y: 0.6 }; // a teleport
+  mover.move(world, { x: 0, y: 0 }, kDt);
+  assert.equal(mover.position.x, -3);
+  assert.throws(() => new kodo.Mover({ skin: 0 }).move(world, { x: 0, y: 0 }, kDt), kodo.BadDefinition);
+  assert.throws(() => new kodo.Mover({ speed: 1 }), /mover\.speed: Mover has no such property/);
+});
+
+test("an explosion pushes each body in reach once, and lists all", () => {
+  const world = new World();
+  const count = 40; // more than a list has room for at first
+  const balls = Array.from({ length: count }, (_, i) => {
+    const [x, y] = [Math.cos(2 * Math.PI * i / count), Math.sin(2 * Math.PI * i / count)];
+    return world.add({ shape: circle(0.1), position: { x: 3 * x, y: 3 * y }, mass: { mass: 2 } });
+  });
+  const far = world.add({ shape: circle(0.1), position: { x: 9, y: 0 } });
+  const hits = world.explode({ radius: 4, impulse: 10 });
+  assert.deepEqual(hits.map(({ body }) => body), balls.map(({ id }) => id));
+  for (const [i, { impulse, width }] of hits.entries()) {
+    assert.ok(Math.abs(width - 0.2) < 0.02, `${width}`); // m: the diameter, by rays
+    const { x, y } = balls[i].velocity;
+    assert.ok(Math.hypot(x - impulse.x / 2, y - impulse.y / 2) < 1e-6); // J = m v
+    assert.ok(x * balls[i].position.x + y * balls[i].position.y > 0);
+  }
+  assert.deepEqual(far.velocity, { x: 0, y: 0 });
+  assert.throws(() => world.explode({ radius: 0 }), kodo.BadDefinition);
+});
+
 test("a picture has figures for bodies and joints", () => {
   const world = stack(2);
   const [, a, b] = world.bodies();
