@@ -20,9 +20,8 @@ NAMELESS = """return [...document.querySelectorAll("button, input, select, canva
 SMALL = """return [...document.querySelectorAll("button, select, .choice")].filter((one) => {
     const { width, height } = one.getBoundingClientRect();
     return width > 0 && (height < 36 || width < 36); }).map((one) => one.textContent);"""
-BROKEN = """const done = arguments[0];
-    Promise.all([...document.querySelectorAll("a[href]")].map(async ({ href }) =>
-        [href, (await fetch(href)).status])).then((all) => done(all.filter(([, code]) => code !== 200)));"""
+BROKEN = """Promise.all([...document.querySelectorAll("a[href]")].map(async ({ href }) =>
+    [href, (await fetch(href)).status])).then((all) => all.filter(([, code]) => code !== 200))"""
 # Least time (ms) of a step and of a picture: other programs only add to it.
 FRAME_WORK = """const least = (work) => Math.min(...Array.from({ length: 120 }, () => {
         const start = performance.now(); work(); return performance.now() - start; }));
@@ -41,9 +40,6 @@ class Site(Trial):
 
     def number(self, expression):
         return self.browser.run(f"return {expression};")
-
-    def later(self, script):
-        return self.browser.call("POST", "/execute/async", {"script": script, "args": []})
 
     def fits(self, name):
         wide = self.number("document.documentElement.scrollWidth - window.innerWidth")
@@ -65,9 +61,9 @@ class Site(Trial):
         self.expect("bits" in self.number("document.getElementById('told').textContent"), "it goes back")
         self.expect(self.number("start.world.bodyCount()") in (bodies, bodies + 1), "to a World it had")
         self.expect(not self.browser.run(NAMELESS), "each control of the start page has a name")
-        self.expect(not self.later(BROKEN), f"its links lead somewhere {self.later(BROKEN)}")
+        self.expect(not self.browser.later(BROKEN), f"its links lead somewhere {self.browser.later(BROKEN)}")
         self.browser.open(self.address + "pages/index.html")
-        self.expect(not self.later(BROKEN), "the links of the list of pages lead somewhere")
+        self.expect(not self.browser.later(BROKEN), "the links of the list of pages lead somewhere")
         self.browser.open(self.address + "pages/manual.html")
         self.shot("manual")
 
@@ -130,6 +126,50 @@ class Site(Trial):
         dial = self.number("sandbox.kodo.sandbox_dial(Number(document.activeElement.id.match(/\\d+/)[0]))")
         self.expect(abs(dial - float(self.number("document.activeElement.value"))) < 1e-6,
                     "and the engine has its value")
+
+    def share(self):
+        self.scene("Pyramid")
+        self.browser.run("""sandbox.state.paused = true;
+            for (let i = 0; i < 40; ++i) sandbox.kodo.sandbox_step();
+            sandbox.kodo.sandbox_pointer(0, 1, 0, 8); sandbox.kodo.sandbox_pointer(2, 1, 0, 8);""")
+        state = "`${sandbox.kodo.sandbox_hash(0)} ${sandbox.kodo.sandbox_hash(1)}`"
+        tick, was = self.number("sandbox.kodo.sandbox_tick()"), self.number(state)
+        later = self.browser.run("const tick = sandbox.kodo.sandbox_tick();"
+                                 "for (let i = 0; i < 60; ++i) sandbox.kodo.sandbox_step();"
+                                 f"const later = {state}; sandbox.kodo.sandbox_rewind(tick); return later;")
+        self.expect(self.number(state) == was, "a rewind has the bits of then")
+        self.browser.grant("clipboardReadWrite")
+        self.browser.run("document.getElementById('share').click();")
+        self.wait("document.getElementById('message').textContent.includes('clipboard')")
+        link = self.browser.later("navigator.clipboard.readText()")
+        print(f"a World of {self.number('sandbox.kodo.sandbox_save()'):.0f} bytes is a link of {len(link)}")
+        self.browser.open(link)
+        self.wait(f"sandbox.kodo.sandbox_tick() > {tick}")
+        same = self.browser.run(f"sandbox.state.paused = true; sandbox.kodo.sandbox_rewind({tick});"
+                                f"return {state};")
+        self.expect(same == was, "a link has the World with its bits")
+        same = self.browser.run("for (let i = 0; i < 60; ++i) sandbox.kodo.sandbox_step();"
+                                f"return {state};")
+        self.expect(same == later, "and goes on with them")
+        self.shot("shared")
+        self.browser.open(self.address + "sandbox/#scene=damaged")
+        self.expect(self.wait("document.getElementById('message').textContent === 'The link is damaged.'"),
+                    "a damaged link is told")
+
+    def examples(self):
+        """Each example prints in the page what the native one prints, and draws its picture."""
+        self.browser.open(self.address + "pages/examples.html")
+        names = self.number("[...document.querySelectorAll('[data-run]')].map((one) => one.dataset.run)")
+        self.expect(len(names) >= 24, f"{len(names)} examples have a button")
+        for name in names:
+            self.browser.run(f"document.querySelector('[data-run={name}]').click();")
+            told = f"document.querySelector('#box-{name} output').textContent"
+            self.wait(f"{told}.includes('.')", 60)
+            self.expect("The text of the native" in self.number(told), f"{name}: {self.number(told)}")
+        self.expect(self.wait("[...document.images].every((one) => one.complete && one.naturalWidth > 0)"),
+                    "the pictures that they draw are shown")
+        self.browser.run("document.querySelector('#box-hills').scrollIntoView();")
+        self.shot("examples")
 
     def pointer(self, script):
         """The state after a scene, a script and 30 steps without time."""
@@ -195,7 +235,8 @@ def main(page, pictures):
     pictures.mkdir(parents=True, exist_ok=True)
     with served(page) as address, chromium() as browser:
         site = Site(browser, address, pictures)
-        for part in (site.start_page, site.sandbox, site.verdict, site.keyboard, site.touch, site.frames):
+        for part in (site.start_page, site.examples, site.sandbox, site.verdict, site.keyboard, site.share,
+                     site.touch, site.frames):
             part()
         faults = browser.faults()
         site.expect(not faults, f"the browser reports no error {faults[:3]}")

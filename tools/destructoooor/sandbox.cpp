@@ -241,10 +241,14 @@ void Sandbox::load(const std::string& file) {
     }
     const std::vector<char> text{std::istreambuf_iterator<char>(in), {}};
     try {
-        world_ = kodo::fromBytes(std::as_bytes(std::span(text)));
+        take(std::as_bytes(std::span(text)));
     } catch (const kodo::BadSnapshot& error) {
         throw std::runtime_error(file + ": " + error.what());
     }
+}
+
+void Sandbox::take(std::span<const std::byte> bytes) {
+    world_ = kodo::fromBytes(bytes);
     act_ = nullptr;
     twin_.reset();
     held_.reset();

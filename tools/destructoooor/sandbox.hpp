@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "catalogue/scene.hpp"
@@ -68,6 +70,8 @@ public:
 
     const Measures& measures() const { return measures_; }
 
+    /// Goes on with a World of kodo::toBytes(), without judging it. Throws BadSnapshot.
+    void take(std::span<const std::byte> bytes);
     /// Throws std::runtime_error with a sentence.
     void save(const std::string& file) const;
     void load(const std::string& file);
@@ -81,7 +85,7 @@ private:
     std::size_t scene_ = 0;
     kodo::World world_;
     Ids ids_;
-    decltype(Scene::act) act_ = nullptr; // of the scene; null after load()
+    decltype(Scene::act) act_ = nullptr; // of the scene; null after take()
     std::optional<kodo::World> twin_;
     History history_;
     Measures measures_;

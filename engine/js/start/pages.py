@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Writes the pages of Markdown as HTML: pages.py FOLDER. Knows what these pages use: headings,
 paragraphs, lists, tables, code, pictures and links. A link to a file that is not among the pages
-becomes a text."""
+becomes a text. An example gets a button that runs it."""
 import html
 import os
 import pathlib
@@ -21,9 +21,11 @@ PAGES = {
     "worlds": "engine/docs/worlds.md", "engine": "engine/README.md", "game": "game/README.md",
 } | {f"from-{path.stem}": f"engine/docs/migration/{path.name}"
      for path in sorted((ROOT / "engine/docs/migration").glob("*.md"))}
+NOT_HERE = {"draw_world": "a window", "threads": "threads"}
 STYLE = """
 :root { color-scheme: light dark; font: 17px/1.5 system-ui, sans-serif; }
 body { margin: 0 auto; padding: 1rem; max-width: 56rem; overflow-wrap: break-word; }
+output { margin-left: .5rem; } button { font: inherit; min-height: 2.4rem; padding: .2rem 1rem; }
 table { border-collapse: collapse; display: block; overflow-x: auto; }
 td, th { border: 1px solid #8886; padding: .25rem .5rem; text-align: left; vertical-align: top; }
 pre { overflow-x: auto; padding: .75rem; background: #8882; border-radius: .5rem; }
@@ -112,6 +114,16 @@ class Page:
             made.append(f"<li>{text}{self.list(rest, 'ul') if rest else ''}</li>")
         return f"<{kind}>" + "\n".join(made) + f"</{kind}>"
 
+    def example(self, name, lines):
+        """The part of a program: its source, a button that runs it, its picture and its text."""
+        source = (ROOT / "engine/examples" / f"{name}.cpp").read_text(encoding="utf-8")
+        runs = name not in NOT_HERE
+        button = (f'<p><button data-run="{name}">Run</button><output role="status"></output></p>' if runs
+                  else f"<p>It needs {NOT_HERE[name]}, and so it does not run in this page.</p>")
+        inner = "\n".join(self.blocks("\n".join(lines))).replace("<pre>", '<pre class="printed">', 1)
+        return (f'<section id="box-{name}">\n{button}\n{inner}\n<details><summary>{name}.cpp</summary>'
+                f"<pre><code>{html.escape(source)}</code></pre></details>\n</section>")
+
     def blocks(self, text):
         lines, i = text.split("\n"), 0
         while i < len(lines):
@@ -124,6 +136,12 @@ class Page:
                 end += 1
             elif re.match(r"#+ ", line):
                 yield self.heading(line)
+                if program := re.match(r"### \[(\w+)\.cpp\]", line):
+                    while end < len(lines) and not re.match(r"#+ ", lines[end]):
+                        end += 1
+                    yield self.example(program[1], lines[i + 1:end])
+            elif image := re.match(r'<img src="([^"]+)" (alt="[^"]*" (?:width|height)="\d+")>$', line):
+                yield f'<p><img src="{self.target(image[1])}" {image[2]}></p>'
             elif line.startswith("|"):
                 while end < len(lines) and lines[end].startswith("|"):
                     end += 1
@@ -143,7 +161,26 @@ class Page:
         text = self.source.read_text(encoding="utf-8")
         title = re.search(r"^# (.+)$", text, re.MULTILINE)[1]
         body = "\n".join(self.blocks(text))
+        if "data-run" in body:
+            body += '\n<script src="run.js"></script>'
         return title, frame(title, f'<nav><a href="../">Kodo</a> · <a href="./">all pages</a></nav>\n{body}')
+
+
+def witness(folder):
+    """The page beside Box2D: the whole one, if tools/crosscheck has made it, else its picture."""
+    made = ROOT / "build/crosscheck/crosscheck.html"
+    if made.exists():
+        shutil.copy(made, folder / "witness.html")
+        return
+    shutil.copy(ROOT / "engine/docs/crosscheck.svg", folder)
+    title = "Kodo beside Box2D 2.4.1"
+    body = (f'<nav><a href="../">Kodo</a> · <a href="./">all pages</a></nav>\n<h1>{title}</h1>\n'
+            "<p>Scenes with a closed form or a stated expectation, played by both solvers of Kodo in "
+            "float and double, and by Box2D. The tests judge each figure. Four of them:</p>\n"
+            f'<img src="crosscheck.svg" alt="{title} in four scenes">\n'
+            "<p><code>tools/crosscheck</code> makes the page of all scenes, in which each can be played; "
+            "<code>tools/web</code> then puts it here.</p>")
+    (folder / "witness.html").write_text(frame(title, body), encoding="utf-8")
 
 
 def frame(title, body):
@@ -162,6 +199,8 @@ def main():
         title, text = Page(source, folder).written()
         (folder / f"{name}.html").write_text(text, encoding="utf-8")
         entries.append(f'<li><a href="{name}.html">{html.escape(re.sub("[`*]", "", title))}</a></li>')
+    witness(folder)
+    entries.append('<li><a href="witness.html">Kodo beside Box2D 2.4.1, scene by scene</a></li>')
     body = '<nav><a href="../">Kodo</a></nav>\n<h1>Pages</h1>\n<ul>' + "\n".join(entries) + "</ul>"
     (folder / "index.html").write_text(frame("Pages", body), encoding="utf-8")
 

@@ -124,9 +124,10 @@ Sandbox& sandbox() {
     return one;
 }
 
-std::string text;           // the last one given to the page
-std::vector<float> figures; // of the last picture
-std::vector<Vec2> path;     // m, of the pointer since its press
+std::string text;             // the last one given to the page
+std::vector<float> figures;   // of the last picture
+std::vector<std::byte> bytes; // of a World
+std::vector<Vec2> path;       // m, of the pointer since its press
 kodo::DrawOptions look{};
 Dropped dropped;
 
@@ -266,6 +267,22 @@ SANDBOX_EXPORT std::size_t sandbox_draw(float left, float bottom, float right, f
 }
 SANDBOX_EXPORT const float* sandbox_figures() {
     return figures.data();
+}
+
+/// Writes the World as bytes, and returns their number; sandbox_bytes() has them.
+SANDBOX_EXPORT std::size_t sandbox_save() {
+    bytes = kodo::toBytes(sandbox().world());
+    return bytes.size();
+}
+/// Room for as many bytes of a World, for sandbox_take().
+SANDBOX_EXPORT void sandbox_reserve(std::size_t size) {
+    bytes.resize(size);
+}
+SANDBOX_EXPORT std::byte* sandbox_bytes() {
+    return bytes.data();
+}
+SANDBOX_EXPORT const char* sandbox_take() {
+    return told([] { sandbox().take(bytes); });
 }
 
 /// Cost and quality of the last step: 0 time (us), 1 deepest overlap (mm), 2 energy (J), 3 momentum

@@ -441,6 +441,79 @@ window.onkeydown = (event) => {
   event.preventDefault();
 };
 
+// Links: #NAME of a scene, or #scene=DATA, a World as bytes, compressed by raw deflate, as base64 for
+// URLs; then &name=NAME of the scene that it was, and &view=X,Y,HEIGHT in metres.
+
+async function through(stream, bytes) {
+  const all = new Blob([bytes]).stream().pipeThrough(stream);
+  return new Uint8Array(await new Response(all).arrayBuffer());
+}
+
+async function linkToWorld() {
+  const size = kodo.sandbox_save();
+  const bytes = new Uint8Array(kodo.memory.buffer, kodo.sandbox_bytes(), size).slice();
+  const small = await through(new CompressionStream("deflate-raw"), bytes);
+  const letters = btoa(Array.from(small, (byte) => String.fromCharCode(byte)).join(""));
+  const data = letters.replace(/\+/g, "-").replace(/\//g, "_").replace(/=/g, "");
+  const place = [view.x, view.y, view.height].map((number) => number.toFixed(2)).join();
+  const name = encodeURIComponent(registry.scenes[state.scene].name);
+  return `${location.href.split("#")[0]}#scene=${data}&name=${name}&view=${place}`;
+}
+
+/** Takes the World of a link; throws an error with a sentence. */
+async function takeWorld(data) {
+  let bytes = null;
+  try {
+    const letters = atob(data.replace(/-/g, "+").replace(/_/g, "/"));
+    const small = Uint8Array.from(letters, (letter) => letter.charCodeAt(0));
+    bytes = await through(new DecompressionStream("deflate-raw"), small);
+  } catch {
+    throw new Error("The link is damaged.");
+  }
+  kodo.sandbox_reserve(bytes.length);
+  new Uint8Array(kodo.memory.buffer, kodo.sandbox_bytes(), bytes.length).set(bytes);
+  const sentence = textAt(kodo.sandbox_take());
+  if (sentence !== "") {
+    throw new Error(sentence);
+  }
+}
+
+/** Opens what the link of the page names. */
+async function enter() {
+  const wanted = location.hash;
+  const asked = new URLSearchParams(wanted.slice(1));
+  const data = asked.get("scene");
+  const name = data === null ? decodeURIComponent(wanted.slice(1)) : asked.get("name");
+  open(Math.max(0, registry.scenes.findIndex((scene) => scene.name === name)));
+  if (data === null) {
+    return;
+  }
+  try {
+    await takeWorld(data);
+  } catch (error) {
+    say(error.message);
+    return;
+  }
+  const place = (asked.get("view") ?? "").split(",").map(Number);
+  if (place.length === 3 && place.every(Number.isFinite) && place[2] > 0) {
+    [view.x, view.y, view.height] = place;
+  }
+  history.replaceState(null, "", wanted);
+  element("question").textContent = "A World of a link, which goes on where it was copied.";
+  element("expectation").textContent = "";
+  refresh();
+}
+
+/** Copies a text to the clipboard, and says so; a browser that refuses shows it, to be copied there. */
+async function copy(text, done) {
+  try {
+    await navigator.clipboard.writeText(text);
+    say(done);
+  } catch {
+    say(text);
+  }
+}
+
 // Start.
 
 fillScenes();
@@ -454,18 +527,15 @@ element("step").onclick = actions.n;
 element("back").onclick = actions.b;
 element("restart").onclick = actions.r;
 element("time").oninput = () => rewind(Number(element("time").value));
-element("copy").onclick = async () => {
-  const code = textAt(kodo.sandbox_code());
-  try {
-    await navigator.clipboard.writeText(code);
-    say("The settings are in the clipboard.");
-  } catch {
-    say(code); // the browser refuses: to be copied from here
-  }
+element("copy").onclick = () =>
+  copy(textAt(kodo.sandbox_code()), "The settings are in the clipboard.");
+element("share").onclick = async () => {
+  const link = await linkToWorld();
+  await copy(link, `A link of ${(link.length / 1000).toFixed(1)} kB is in the clipboard.`);
 };
-const wanted = decodeURIComponent(location.hash.slice(1));
+window.onhashchange = enter;
 resize();
-open(Math.max(0, registry.scenes.findIndex(({ name }) => name === wanted)));
+await enter();
 setPaused(matchMedia("(prefers-reduced-motion: reduce)").matches);
 window.sandbox = { kodo, registry, state, draw, ready: performance.now() }; // for tests
 requestAnimationFrame(frame);
