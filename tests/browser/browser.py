@@ -59,8 +59,9 @@ class Browser:
         return self.call("POST", "/execute/async", {"args": [], "script":
                          f"const done = arguments[0]; Promise.resolve({promise}).then(done, done);"})
 
-    def grant(self, permission):
-        self.command("Browser.grantPermissions", {"permissions": [permission]})
+    def allow_clipboard(self):
+        self.command("Browser.grantPermissions",
+                     {"permissions": ["clipboardReadWrite", "clipboardSanitizedWrite"]})
 
     def command(self, name, parameters):
         """A command of Chromium's own protocol."""

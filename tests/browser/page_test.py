@@ -92,7 +92,7 @@ class Game(Trial):
         self.aside(f"#daily={day}")
         self.expect(state(self.browser, 3) == int(f"{day:%Y%m%d}") + 1, "a day is the seed of its serves")
         self.shot("daily")
-        self.browser.grant("clipboardReadWrite")
+        self.browser.allow_clipboard()
         self.browser.press("c")
         time.sleep(0.5)
         copied = self.browser.later("navigator.clipboard.readText()")

@@ -138,7 +138,7 @@ class Site(Trial):
                                  "for (let i = 0; i < 60; ++i) sandbox.kodo.sandbox_step();"
                                  f"const later = {state}; sandbox.kodo.sandbox_rewind(tick); return later;")
         self.expect(self.number(state) == was, "a rewind has the bits of then")
-        self.browser.grant("clipboardReadWrite")
+        self.browser.allow_clipboard()
         self.browser.run("document.getElementById('share').click();")
         self.wait("document.getElementById('message').textContent.includes('clipboard')")
         link = self.browser.later("navigator.clipboard.readText()")

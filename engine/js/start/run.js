@@ -26,13 +26,15 @@ async function run(name) {
     FS.unlink(picture);
   }
   const start = performance.now();
-  const code = ccall("runExample", "number", ["string"], [name]);
+  const code = ccall("runExample", "number", ["string", "boolean"], [name, false]);
   const time = performance.now() - start; // ms
+  const text = lines.join("\n");
+  ccall("runExample", "number", ["string", "boolean"], [name, true]);
   if (code !== 0) {
     throw new Error(`The example ended with ${code}.`);
   }
   const drawn = FS.analyzePath(picture).exists ? FS.readFile(picture, { encoding: "utf8" }) : "";
-  return { text: lines.join("\n"), picture: drawn, time };
+  return { text, picture: drawn, time };
 }
 
 for (const button of document.querySelectorAll("button[data-run]")) {
