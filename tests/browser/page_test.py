@@ -6,6 +6,7 @@ PAGE is the folder that tools/web builds. Pictures are written to the folder PIC
 command of an apart-headless. Exit code: 0 all held, 1 something did not, 77 chromium or chromedriver
 is missing."""
 import datetime
+import json
 import pathlib
 import subprocess
 import sys
@@ -122,6 +123,26 @@ class Game(Trial):
         self.browser.open(self.address + "#replay=damaged")
         self.expect(wait(self.browser, 0, lambda screen: screen == TITLE), "a damaged link is told")
 
+    def drop_file(self, text):
+        self.browser.open(self.address)
+        wait(self.browser, 0, lambda screen: screen == TITLE)
+        self.browser.run(f"""const data = new DataTransfer();
+            data.items.add(new File([{json.dumps(text)}], "mine.toml"));
+            window.dispatchEvent(new DragEvent("drop", {{ dataTransfer: data, cancelable: true }}));""")
+
+    def drop(self):
+        """A level of the player's own comes by drag and drop, and stays."""
+        self.drop_file("title = nonsense")
+        time.sleep(4)
+        told = self.browser.run("return document.getElementById('news').textContent;")
+        self.expect("mine.toml:1:" in told, f"an error of a dropped level is told: {told}")
+        example = pathlib.Path(__file__).parents[2] / "game/examples/gallows.toml"
+        self.drop_file(example.read_text(encoding="utf-8"))
+        self.expect(wait(self.browser, 0, lambda screen: screen == PLAYING), "a dropped level is played")
+        self.shot("dropped")
+        self.browser.open(self.address + "#level=mine")
+        self.expect(wait(self.browser, 0, lambda screen: screen == PLAYING), "a dropped level is kept")
+
     def touch(self):
         self.browser.call("POST", "/window/rect", {"width": 390, "height": 760})
         self.browser.open(self.address + "#level=first_light")
@@ -143,6 +164,7 @@ def main(page, pictures, program):
         for part in (game.title, game.level, game.lost, game.lose, game.link):
             part()
         game.daily(program)
+        game.drop()
         game.touch()
         faults = browser.faults()
         game.expect(not faults, f"the browser reports no error {faults[:3]}")

@@ -9,6 +9,7 @@
 const news = document.getElementById("news");
 const canvas = document.getElementById("canvas");
 const folder = "/player";
+const levels = folder + "/apart/levels"; // of the player
 const lastGame = folder + "/apart/last.replay";
 const packedMark = 7;
 
@@ -33,6 +34,10 @@ async function wishes() {
     const day = asked.get("daily");
     const daily = day === null ? "" : day === "" ? "daily" : "daily-" + day;
     const wish = { level: asked.get("level") || daily, replay: "" };
+    const own = levels + "/" + wish.level + ".toml";
+    if (FS.analyzePath(own).exists) {
+        wish.level = own; // its errors are told by line
+    }
     if (asked.has("replay")) {
         const data = fromLink(asked.get("replay"));
         const packed = data[0] === packedMark;
@@ -62,6 +67,21 @@ async function copyText(text) {
         window.prompt("Copy this:", whole.replace("\n", " "));
         return false;
     }
+}
+
+/// A level that is dropped on the page becomes one of the player's, and is played.
+async function takeLevel(file) {
+    if (!file || !file.name.endsWith(".toml")) {
+        return flash("A level is a file whose name ends in .toml.");
+    }
+    FS.mkdirTree(levels);
+    FS.writeFile(levels + "/" + file.name, new Uint8Array(await file.arrayBuffer()));
+    if (!await Module.keepFiles()) {
+        return flash("This browser keeps no files, so it cannot keep a level.");
+    }
+    const name = encodeURIComponent(file.name.slice(0, -".toml".length));
+    history.replaceState(null, "", "#level=" + name);
+    location.reload();
 }
 
 let flashes = 0;
@@ -142,7 +162,7 @@ var Module = {
     printErr: (line) => console.warn(line),
     complain: tell,
     copyText,
-    keepFiles: () => {},
+    keepFiles: async () => false, // resolves to true once the browser has the files
     preRun: [() => {
         // Private windows refuse storage: the files then last as long as the page.
         FS.mkdir(folder);
@@ -152,7 +172,8 @@ var Module = {
             if (error) {
                 console.warn("Settings and scores are not kept: " + error);
             } else {
-                Module.keepFiles = () => FS.syncfs(false, () => {});
+                Module.keepFiles = () => new Promise(
+                    (done) => FS.syncfs(false, (problem) => done(!problem)));
             }
             removeRunDependency("storage");
         });
@@ -185,4 +206,9 @@ document.getElementById("full").onclick = () => {
     canvas.focus();
 };
 canvas.addEventListener("contextmenu", (event) => event.preventDefault());
+window.addEventListener("dragover", (event) => event.preventDefault());
+window.addEventListener("drop", (event) => {
+    event.preventDefault();
+    takeLevel(event.dataTransfer.files[0]);
+});
 window.addEventListener("hashchange", () => location.reload());
