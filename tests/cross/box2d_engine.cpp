@@ -15,11 +15,18 @@ namespace {
 /// Also keeps the impulses of the last step.
 class Listener final : public scenes::SmallerRestitution {
 public:
+    explicit Listener(const std::vector<scenes::BodyDef>& defs) : defs_(defs) {}
+
     struct Applied {
         b2Contact* contact;
         double impulse;
     };
     std::vector<Applied> applied;
+
+    void PreSolve(b2Contact* contact, const b2Manifold*) override {
+        contact->SetTangentSpeed(speedOf(*contact->GetFixtureA()) +
+                                 speedOf(*contact->GetFixtureB()));
+    }
 
     void PostSolve(b2Contact* contact, const b2ContactImpulse* impulse) override {
         double sum = 0;
@@ -28,6 +35,14 @@ public:
         }
         applied.push_back({contact, sum});
     }
+
+private:
+    float speedOf(b2Fixture& fixture) const {
+        const auto index = fixture.GetBody()->GetUserData().pointer;
+        return index < defs_.size() ? static_cast<float>(defs_[index].material.surfaceSpeed) : 0;
+    }
+
+    const std::vector<scenes::BodyDef>& defs_;
 };
 
 float small(double value) {
@@ -39,11 +54,16 @@ public:
     Box2dEngine(const scenes::SceneDef& scene, double bounceThreshold)
         : defs_(scene.bodies),
           bounceThreshold_(small(bounceThreshold)),
+          listener_(defs_),
           world_(std::make_unique<b2World>(scenes::toBox2d(scene.gravity))) {
-        world_->SetAllowSleeping(false);
+        world_->SetAllowSleeping(scene.sleep);
         world_->SetContactListener(&listener_);
         for (const scenes::BodyDef& body : scene.bodies) {
             bodies_.push_back(scenes::addToBox2d(*world_, body, bounceThreshold_));
+            bodies_.back()->GetUserData().pointer = bodies_.size() - 1;
+        }
+        for (const std::vector<scenes::Vec2>& chain : scene.chains) {
+            addChain(chain);
         }
     }
 
@@ -51,6 +71,12 @@ public:
         listener_.applied.clear();
         world_->Step(small(dt), 8, 3);
         dt_ = small(dt);
+        for (std::size_t i = 0; i < joints_.size(); ++i) {
+            if (breakForces_[i] > 0 && !isBroken(i) && length(jointForce(i)) > breakForces_[i]) {
+                world_->DestroyJoint(joints_[i]);
+                joints_[i] = nullptr;
+            }
+        }
     }
 
     void join(const Link& link) override {
@@ -58,8 +84,10 @@ public:
         b2Joint* joint = link.kind == Kind::FixedJoint       ? fixed(link)
                          : link.kind == Kind::RevoluteJoint  ? revolute(link)
                          : link.kind == Kind::PrismaticJoint ? prismatic(link)
+                         : link.kind == Kind::MouseJoint     ? mouse(link)
                                                              : distance(link);
         joints_.push_back(joint);
+        breakForces_.push_back(link.breakForce);
     }
 
     void split(std::size_t index, std::size_t part) override {
@@ -83,13 +111,18 @@ public:
         }
         defs_[index].parts.erase(defs_[index].parts.begin() + static_cast<std::ptrdiff_t>(part));
         scenes::giveNominalMass(old, defs_[index]); // moves the velocity to the new centre
+        made->GetUserData().pointer = bodies_.size();
         bodies_.push_back(made);
         defs_.push_back(piece);
     }
 
     State state(std::size_t index) const override {
         const b2Body& body = *bodies_[index];
-        const b2Vec2 center = body.GetWorldCenter();
+        // Without mass, Box2D takes the origin of the frame for the centre.
+        const b2Vec2 center =
+            body.GetType() == b2_dynamicBody
+                ? body.GetWorldCenter()
+                : body.GetWorldPoint(scenes::toBox2d(massOf(defs_[index]).center));
         const b2Vec2 velocity = body.GetLinearVelocity();
         return {{static_cast<double>(center.x), static_cast<double>(center.y)},
                 std::remainder(static_cast<double>(body.GetAngle()), 2 * std::numbers::pi),
@@ -115,7 +148,79 @@ public:
         return {static_cast<double>(force.x), static_cast<double>(force.y)};
     }
 
+    bool isBroken(std::size_t joint) const override { return joints_[joint] == nullptr; }
+
+    bool isAsleep(std::size_t body) const override { return !bodies_[body]->IsAwake(); }
+
+    std::optional<RayFound> rayCast(scenes::Vec2 from, scenes::Vec2 to) const override {
+        struct First final : b2RayCastCallback {
+            float ReportFixture(b2Fixture* fixture, const b2Vec2&, const b2Vec2&,
+                                float fraction) override {
+                found = RayFound{fixture->GetBody()->GetUserData().pointer,
+                                 static_cast<double>(fraction)};
+                return fraction;
+            }
+            std::optional<RayFound> found;
+        } first;
+        world_->RayCast(&first, scenes::toBox2d(from), scenes::toBox2d(to));
+        return first.found;
+    }
+
+    std::vector<std::size_t> overlap(scenes::Vec2 low, scenes::Vec2 high) const override {
+        struct Near final : b2QueryCallback {
+            bool ReportFixture(b2Fixture* fixture) override {
+                if (b2TestOverlap(&box, 0, fixture->GetShape(), 0,
+                                  b2Transform(b2Vec2_zero, b2Rot(0)),
+                                  fixture->GetBody()->GetTransform())) {
+                    found.push_back(fixture->GetBody()->GetUserData().pointer);
+                }
+                return true;
+            }
+            b2PolygonShape box;
+            std::vector<std::size_t> found;
+        } near;
+        const scenes::Vec2 size = high - low;
+        near.box = scenes::box2dShape(scenes::Box{size.x, size.y, 0.5 * (low + high)});
+        world_->QueryAABB(&near, b2AABB{scenes::toBox2d(low), scenes::toBox2d(high)});
+        std::sort(near.found.begin(), near.found.end());
+        near.found.erase(std::unique(near.found.begin(), near.found.end()), near.found.end());
+        return near.found;
+    }
+
 private:
+    static double length(scenes::Vec2 force) { return std::sqrt(dot(force, force)); }
+
+    void addChain(const std::vector<scenes::Vec2>& chain) {
+        std::vector<b2Vec2> points;
+        for (auto point = chain.rbegin(); point != chain.rend(); ++point) {
+            points.push_back(scenes::toBox2d(*point)); // its solid side is the other one
+        }
+        b2ChainShape shape;
+        shape.CreateChain(points.data(), static_cast<int32>(points.size()),
+                          points.front() + (points.front() - points[1]),
+                          points.back() + (points.back() - points[points.size() - 2]));
+        b2FixtureDef fixture;
+        fixture.shape = &shape;
+        fixture.friction = small(scenes::Material{}.friction);
+        b2BodyDef def;
+        def.userData.pointer = defs_.size() + 1; // no body of the scene
+        world_->CreateBody(&def)->CreateFixture(&fixture);
+    }
+
+    b2Joint* mouse(const Link& link) {
+        b2MouseJointDef def;
+        def.bodyA = bodies_[link.a];
+        def.bodyB = bodies_[link.b];
+        def.target = scenes::toBox2d(link.point);
+        def.maxForce = small(link.motorTorque);
+        def.collideConnected = true;
+        b2LinearStiffness(def.stiffness, def.damping, small(link.hertz), small(link.damping),
+                          def.bodyA, def.bodyB);
+        auto* joint = static_cast<b2MouseJoint*>(world_->CreateJoint(&def));
+        joint->SetTarget(scenes::toBox2d(link.pointB));
+        return joint;
+    }
+
     b2Joint* fixed(const Link& link) {
         b2WeldJointDef def;
         def.Initialize(bodies_[link.a], bodies_[link.b], scenes::toBox2d(link.point));
@@ -166,12 +271,11 @@ private:
         return world_->CreateJoint(&def);
     }
 
-    std::size_t indexOf(const b2Body* body) const {
-        const auto at = std::find(bodies_.begin(), bodies_.end(), body);
-        return static_cast<std::size_t>(at - bodies_.begin());
+    static std::size_t indexOf(b2Body* body) {
+        return static_cast<std::size_t>(body->GetUserData().pointer);
     }
 
-    Touch touch(b2Contact& contact, double impulse) const {
+    static Touch touch(b2Contact& contact, double impulse) {
         b2Fixture& a = *contact.GetFixtureA();
         b2Fixture& b = *contact.GetFixtureB();
         Touch one{indexOf(a.GetBody()), static_cast<std::size_t>(a.GetUserData().pointer),
@@ -189,7 +293,8 @@ private:
     Listener listener_;
     std::unique_ptr<b2World> world_; // reading its contacts needs one that may change
     std::vector<b2Body*> bodies_;
-    std::vector<b2Joint*> joints_;
+    std::vector<b2Joint*> joints_;    // nullptr: broken
+    std::vector<double> breakForces_; // N; 0: none
 };
 
 } // namespace

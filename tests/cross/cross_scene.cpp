@@ -57,6 +57,10 @@ FigureAdder& FigureAdder::agree(double tolerance, const std::string& reason) {
 FigureAdder& FigureAdder::atMost(double value, const std::string& reason) {
     return set(Rule::AtMost, value, 0, reason);
 }
+FigureAdder& FigureAdder::box2d(double tolerance, const std::string& reason) {
+    last().box2d = Wider{tolerance, reason};
+    return *this;
+}
 FigureAdder& FigureAdder::propagation(double tolerance, const std::string& reason) {
     last().propagation = Wider{tolerance, reason};
     return *this;
@@ -65,8 +69,9 @@ FigureAdder& FigureAdder::propagation(double tolerance, const std::string& reaso
 const std::vector<CrossScene>& sceneBook() {
     static const std::vector<CrossScene> book = [] {
         std::vector<CrossScene> all;
-        for (const auto& chapter : {impactScenes, dropScenes, slideScenes, pileScenes, jointScenes,
-                                    loadScenes, filterScenes, moverScenes, fractureScenes}) {
+        for (const auto& chapter :
+             {impactScenes, dropScenes, slideScenes, pileScenes, jointScenes, loadScenes,
+              filterScenes, moverScenes, fractureScenes, worldScenes, machineScenes}) {
             std::vector<CrossScene> some = chapter();
             std::move(some.begin(), some.end(), std::back_inserter(all));
         }
@@ -127,6 +132,14 @@ public:
     State state(std::size_t body) const override { return engine_.state(body); }
     std::vector<Touch> touches() const override { return engine_.touches(); }
     scenes::Vec2 jointForce(std::size_t joint) const override { return engine_.jointForce(joint); }
+    bool isBroken(std::size_t joint) const override { return engine_.isBroken(joint); }
+    bool isAsleep(std::size_t body) const override { return engine_.isAsleep(body); }
+    std::optional<RayFound> rayCast(scenes::Vec2 from, scenes::Vec2 to) const override {
+        return engine_.rayCast(from, to);
+    }
+    std::vector<std::size_t> overlap(scenes::Vec2 low, scenes::Vec2 high) const override {
+        return engine_.overlap(low, high);
+    }
 
 private:
     void note() {
@@ -212,7 +225,7 @@ bool holds(const Figure& figure, Solver solver, double kodo, double box2d) {
     switch (figure.rule) {
     case Rule::Exact:
         return (!judged || near(kodo, figure.exact, tolerance)) &&
-               near(box2d, figure.exact, figure.tolerance);
+               near(box2d, figure.exact, figure.box2d ? figure.box2d->tolerance : figure.tolerance);
     case Rule::KodoExact:
         return !judged || near(kodo, figure.exact, tolerance);
     case Rule::Agree:

@@ -24,7 +24,7 @@ enum class Rule {
     Show,      // nothing
 };
 
-/// A wider tolerance of Kodo's solver of the thesis, with its reason. Negative: not judged.
+/// A tolerance of Box2D, or of Kodo's solver of the thesis, with its reason. Negative: not judged.
 struct Wider {
     double tolerance = 0;
     std::string reason;
@@ -39,6 +39,7 @@ struct Figure {
     double tolerance = 0;
     std::string reason; // of the tolerance
     std::optional<Wider> propagation{};
+    std::optional<Wider> box2d{};
 };
 
 /// The one definition of a scene: the tests judge it, and the page shows it.
@@ -62,6 +63,8 @@ public:
     FigureAdder& kodoExact(double value, double tolerance, const std::string& reason);
     FigureAdder& agree(double tolerance, const std::string& reason);
     FigureAdder& atMost(double value, const std::string& reason);
+    /// For Box2D.
+    FigureAdder& box2d(double tolerance, const std::string& reason);
     /// For Kodo's solver of the thesis.
     FigureAdder& propagation(double tolerance, const std::string& reason);
 
@@ -89,6 +92,8 @@ std::vector<CrossScene> loadScenes();
 std::vector<CrossScene> filterScenes();
 std::vector<CrossScene> moverScenes();
 std::vector<CrossScene> fractureScenes();
+std::vector<CrossScene> worldScenes();
+std::vector<CrossScene> machineScenes();
 
 /// Where a body was at the end of a step.
 struct TrackPoint {

@@ -236,6 +236,10 @@ std::string figureOf(const Figure& figure, const Plays& plays, std::size_t index
         result += R"(,"wider":)" + number(figure.propagation->tolerance) + R"(,"widerReason":)" +
                   text(figure.propagation->reason);
     }
+    if (figure.box2d) {
+        result += R"(,"box2dTolerance":)" + number(figure.box2d->tolerance) + R"(,"box2dReason":)" +
+                  text(figure.box2d->reason);
+    }
     return result + "}";
 }
 
@@ -260,10 +264,12 @@ std::string sceneOf(const CrossScene& scene, bool& good) {
         played += playOf(kNames[i], plays.kodo[i]) + ",";
     }
     return R"({"name":)" + text(scene.name) + R"(,"title":)" + text(scene.title) + R"(,"text":)" +
-           text(scene.text) + R"(,"difference":)" + text(scene.difference) + R"(,"bodies":)" +
-           list(scene.def.bodies, bodyOf) + R"(,"figures":[)" + figures + R"(],"plays":[)" +
-           played + playOf("Box2D 2.4.1", plays.box2d) + R"(],"film":)" + filmOf(scene, plays) +
-           "}";
+           text(scene.text) + R"(,"difference":)" + text(scene.difference) + R"(,"chains":)" +
+           list(scene.def.chains,
+                [](const std::vector<scenes::Vec2>& chain) { return list(chain, point); }) +
+           R"(,"bodies":)" + list(scene.def.bodies, bodyOf) + R"(,"figures":[)" + figures +
+           R"(],"plays":[)" + played + playOf("Box2D 2.4.1", plays.box2d) + R"(],"film":)" +
+           filmOf(scene, plays) + "}";
 }
 
 int print(const std::vector<CrossScene>& scenes) {

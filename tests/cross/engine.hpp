@@ -23,18 +23,28 @@ struct State {
 
 /// A joint between two bodies of a scene. Points are in world coordinates (m) at the start.
 struct Link {
-    enum class Kind { RevoluteJoint, FixedJoint, DistanceJoint, RopeJoint, PrismaticJoint };
+    enum class Kind {
+        RevoluteJoint,
+        FixedJoint,
+        DistanceJoint,
+        RopeJoint,
+        PrismaticJoint,
+        MouseJoint
+    };
 
     Kind kind = Kind::RevoluteJoint;
     std::size_t a = 0;
     std::size_t b = 0;
     scenes::Vec2 point{};    // anchor of both; DistanceJoint and RopeJoint: anchor of a
     scenes::Vec2 pointB{};   // DistanceJoint: anchor of b; the distance of both is the rest length;
-                             // RopeJoint: anchor of b; the distance is the largest
+                             // RopeJoint: anchor of b; the distance is the largest;
+                             // MouseJoint: where the anchor of b is pulled to; a is any body
     double motorSpeed = 0;   // rad/s, of b relative to a; PrismaticJoint: m/s along the axis
-    double motorTorque = 0;  // N m, maximum; PrismaticJoint: N
-    double hertz = 0;        // DistanceJoint: frequency with the masses of both bodies; 0: a rod
-    double damping = 0;      // DistanceJoint: damping ratio; 1 is critical
+    double motorTorque = 0;  // N m, maximum; PrismaticJoint, MouseJoint: N
+    double hertz = 0;        // DistanceJoint: frequency with the masses of both bodies; 0: a rod;
+                             // MouseJoint: frequency with the mass of b
+    double damping = 0;      // DistanceJoint, MouseJoint: damping ratio; 1 is critical
+    double breakForce = 0;   // N; a larger force, as mean of a step, breaks the joint; 0: none does
     scenes::Vec2 axis{0, 1}; // PrismaticJoint: unit, world
     std::optional<double> limit{}; // RevoluteJoint: +- rad; PrismaticJoint: +- m
 };
@@ -46,6 +56,12 @@ struct Touch {
     std::size_t b = 0;
     std::size_t partB = 0;
     double impulse = 0; // N s, normal, summed over the points
+};
+
+/// Where a ray meets a body.
+struct RayFound {
+    std::size_t body = 0;
+    double fraction = 0; // 0 to 1 of the ray
 };
 
 /// A scene in one engine. Bodies are identified by their index in the scene.
@@ -66,6 +82,12 @@ public:
     virtual std::vector<Touch> touches() const = 0;
     /// Force (N) of a joint on its body b, as mean of the last step.
     virtual scenes::Vec2 jointForce(std::size_t joint) const = 0;
+    virtual bool isBroken(std::size_t joint) const = 0;
+    virtual bool isAsleep(std::size_t body) const = 0;
+    /// The first body on a ray.
+    virtual std::optional<RayFound> rayCast(scenes::Vec2 from, scenes::Vec2 to) const = 0;
+    /// The bodies that overlap or touch a box, in order.
+    virtual std::vector<std::size_t> overlap(scenes::Vec2 low, scenes::Vec2 high) const = 0;
 
     /// Normal impulse (N s) between two bodies in the last step, summed over all points.
     double impulse(std::size_t a, std::size_t b) const;
@@ -74,7 +96,8 @@ public:
 
 enum class Solver { Soft, Propagation };
 
-/// Kodo with default settings but without sleep, since sleeping bodies report no impulses.
+/// Kodo with default settings. Sleep is off unless the scene needs it, since sleeping bodies report
+/// no impulses.
 namespace f32 {
 std::unique_ptr<Engine> makeKodo(const scenes::SceneDef& scene, Solver solver);
 }
@@ -89,7 +112,7 @@ std::unique_ptr<Engine> makeKodo(const scenes::SceneDef& scene, Solver solver);
 ///              the geometric mean in both
 ///   skin       polygons are inset by b2_polygonRadius, so that a box with its skin has its
 ///              nominal size, with corners rounded by 1 cm; the mass is the nominal one
-///   sleep      off
+///   sleep      off, unless the scene needs it
 ///   bounce     the speed (m/s) below which restitution is 0 is an argument, 1 by default
 ///
 /// These remain: the overlap of resting polygons by the slop of 5 mm; semi-implicit Euler without

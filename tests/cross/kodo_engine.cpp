@@ -12,12 +12,14 @@ namespace {
 
 /// Without shock passes, which treat lower levels of a pile as static: the records would lack the
 /// load that they carry.
-kodo::StepSettings settingsOf(Solver solver) {
+kodo::StepSettings settingsOf(Solver solver, bool sleep) {
     kodo::StepSettings result = solver == Solver::Soft ? kodo::balanced() : kodo::thesis2006();
     if (solver == Solver::Propagation) {
         result.propagation().shockPasses = 0;
     }
-    result.leaveOut = kodo::Feature::Sleep;
+    if (!sleep) {
+        result.leaveOut = kodo::Feature::Sleep;
+    }
     return result;
 }
 
@@ -31,7 +33,7 @@ kodo::Real real(double value) {
 class KodoEngine final : public Engine {
 public:
     KodoEngine(const scenes::SceneDef& scene, Solver solver)
-        : scene_(scenes::inKodo(scene, settingsOf(solver))) {}
+        : scene_(scenes::inKodo(scene, settingsOf(solver, scene.sleep))) {}
 
     void step(double dt) override { scene_.world.step(real(dt)); }
 
@@ -39,6 +41,17 @@ public:
         const kodo::JointEnds ends{scene_.ids[link.a], scene_.ids[link.b],
                                    anchor(link.a, link.point), anchor(link.b, link.point)};
         joints_.push_back(add(link, ends));
+        if (link.breakForce > 0) {
+            kodo::JointDef def = scene_.world.joint(joints_.back());
+            std::visit(
+                [&](auto& joint) {
+                    if constexpr (requires { joint.ends; }) {
+                        joint.ends.breakForce = real(link.breakForce);
+                    }
+                },
+                def);
+            scene_.world.setJoint(joints_.back(), def);
+        }
     }
 
     void split(std::size_t body, std::size_t part) override {
@@ -77,6 +90,30 @@ public:
         return {number(force.x), number(force.y)};
     }
 
+    bool isBroken(std::size_t joint) const override {
+        return !scene_.world.contains(joints_[joint]);
+    }
+
+    bool isAsleep(std::size_t body) const override {
+        return scene_.world[scene_.ids[body]].isAsleep();
+    }
+
+    std::optional<RayFound> rayCast(scenes::Vec2 from, scenes::Vec2 to) const override {
+        const auto hit = kodo::rayCast(scene_.world, scenes::toKodo(from), scenes::toKodo(to));
+        return hit ? std::optional(RayFound{indexOf(hit->body), number(hit->fraction)})
+                   : std::nullopt;
+    }
+
+    std::vector<std::size_t> overlap(scenes::Vec2 low, scenes::Vec2 high) const override {
+        std::vector<std::size_t> result;
+        for (const kodo::BodyId id :
+             kodo::overlap(scene_.world, kodo::Aabb{scenes::toKodo(low), scenes::toKodo(high)})) {
+            result.push_back(indexOf(id));
+        }
+        std::sort(result.begin(), result.end());
+        return result;
+    }
+
 private:
     kodo::JointId add(const Link& link, const kodo::JointEnds& ends) {
         using Kind = Link::Kind;
@@ -96,6 +133,14 @@ private:
                                                          .motorSpeed = real(link.motorSpeed),
                                                          .motorForce = real(link.motorTorque)});
         }
+        if (link.kind == Kind::MouseJoint) {
+            return scene_.world.add(kodo::MouseJoint{.body = ends.b,
+                                                     .anchor = ends.anchorB,
+                                                     .target = scenes::toKodo(link.pointB),
+                                                     .force = real(link.motorTorque),
+                                                     .hertz = real(link.hertz),
+                                                     .damping = real(link.damping)});
+        }
         kodo::DistanceJoint spring{.ends = ends};
         spring.ends.anchorB = anchor(link.b, link.pointB);
         spring.length = length(scenes::toKodo(link.pointB - link.point));
@@ -114,6 +159,9 @@ private:
     }
 
     std::size_t indexOf(kodo::BodyId id) const {
+        if (id.index < scene_.ids.size() && scene_.ids[id.index] == id) {
+            return id.index; // as long as no body was removed
+        }
         const auto at = std::find(scene_.ids.begin(), scene_.ids.end(), id);
         return static_cast<std::size_t>(at - scene_.ids.begin());
     }

@@ -57,6 +57,7 @@ inline kodo::BodyDef toKodo(const BodyDef& body) {
     def.angularVelocity = static_cast<kodo::Real>(body.spin);
     def.material = kodo::withFriction(static_cast<kodo::Real>(body.material.friction),
                                       static_cast<kodo::Real>(body.material.restitution));
+    def.material.surfaceSpeed = static_cast<kodo::Real>(body.material.surfaceSpeed);
     def.density = static_cast<kodo::Real>(body.density);
     const bool moves = def.velocity != kodo::Vec2{} || def.angularVelocity != 0;
     def.type = !body.locked ? kodo::BodyType::Dynamic
@@ -119,6 +120,15 @@ inline KodoScene inKodo(const SceneDef& scene, const kodo::StepSettings& setting
         kodo::BodyDef one = toKodo(body);
         one.flags |= allHeavy || body.weightless ? 0 : kHeavy;
         result.ids.push_back(result.world.add(one));
+    }
+    for (const std::vector<Vec2>& chain : scene.chains) {
+        kodo::Chain shape;
+        for (const Vec2 point : chain) {
+            shape.points.push_back(toKodo(point));
+        }
+        const kodo::Material material =
+            kodo::withFriction(static_cast<kodo::Real>(Material{}.friction), 0);
+        result.world.add({.shape = shape, .material = material, .type = kodo::BodyType::Static});
     }
     for (const RevoluteJointDef& joint : scene.joints) {
         result.world.add(kodo::JointDef(toKodo(joint, scene, result.ids)));

@@ -73,6 +73,7 @@ using Part = std::variant<Circle, Box, Polygon>;
 struct Material {
     double friction = 0.6;
     double restitution = 0;
+    double surfaceSpeed = 0; // m/s, of a belt that runs clockwise around the body
 };
 
 struct BodyDef {
@@ -113,6 +114,8 @@ struct SceneDef {
     Vec2 gravity{}; // m/s^2
     std::vector<BodyDef> bodies;
     std::vector<RevoluteJointDef> joints{};
+    std::vector<std::vector<Vec2>> chains{}; // static lines; their upper side, from left to right
+    bool sleep = false;                      // of tests that compare: bodies at rest fall asleep
 };
 
 inline constexpr Vec2 kDown{0, -10}; // m/s^2, a round number for simple closed forms

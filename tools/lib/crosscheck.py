@@ -194,6 +194,9 @@ def drawing(scene, width=520, height=330):
         if i in drawn and not body["locked"]:
             x, y = view.at(place(body)(body["center"]))
             inner += f'<circle cx="{x:.1f}" cy="{y:.1f}" r="2.2" fill="{GREY}"/>'
+    for chain in scene["chains"]:
+        points = " ".join("%.1f,%.1f" % view.at(p) for p in chain)
+        inner += f'<polyline points="{points}" fill="none" stroke="#8c959f" stroke-width="1.5"/>'
     paths = ends = ""
     for play, (_, colour, dash, stroke, opacity) in zip(scene["plays"], STYLES):
         for track in play["tracks"]:
@@ -304,7 +307,8 @@ def chart(scene, width=560, height=230):
 def box2d_is_far(figure):
     if figure["rule"] not in ("exact", "kodo"):
         return False
-    return abs(figure["box2d"] - figure["exact"]) > max(figure["tolerance"], 0)
+    tolerance = figure.get("box2dTolerance", figure["tolerance"])
+    return abs(figure["box2d"] - figure["exact"]) > max(tolerance, 0)
 
 
 def verdict(scene):
@@ -337,6 +341,8 @@ def row(figure):
     if "wider" in figure:
         wide = "not judged" if unjudged else "± " + number(figure["wider"])
         reason += f'<br>Propagation: {wide}; {escape(figure["widerReason"])}'
+    if "box2dTolerance" in figure:
+        reason += f'<br>Box2D: ± {number(figure["box2dTolerance"])}; {escape(figure["box2dReason"])}'
     cells += f"<td>{exact}</td>"
     cells += f'<td class="rule">{RULES[figure["rule"]]}</td>'
     cells += f'<td>{tolerance}</td><td class="reason">{reason}</td>'
