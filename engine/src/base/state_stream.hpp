@@ -92,8 +92,8 @@ constexpr bool isPlain() {
 /// one does not compile until it is listed or left out. All members of other aggregates are state.
 class StateStream {
 public:
-    /// Writes.
-    StateStream() = default;
+    /// Writes. There is room for so many bytes; for more, the written ones move.
+    explicit StateStream(std::size_t room = 0) : written_(room) {}
     /// Reads.
     explicit StateStream(std::span<const std::byte> bytes) : remaining_(bytes), reads_(true) {}
 

@@ -62,16 +62,8 @@ void CandidatePairs::renew(const Bodies& bodies, const Tolerances& tolerances, s
     }
 }
 
-bool CandidatePairs::dropUnused(const Bodies& bodies) {
-    if (!bounds_.dropUnused()) {
-        return false;
-    }
-    buildTrees(bodies);
-    return true;
-}
-
-bool CandidatePairs::compact(const Bodies& bodies) {
-    if (!bounds_.compact()) {
+bool CandidatePairs::renumberIfDue(const Bodies& bodies, std::size_t contacts) {
+    if (!bounds_.renumberIfDue(contacts)) {
         return false;
     }
     buildTrees(bodies);

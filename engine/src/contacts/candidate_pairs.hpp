@@ -32,10 +32,8 @@ public:
     void renew(const Bodies& bodies, const Tolerances& tolerances);
     /// A body was added, removed or changed.
     void renew(const Bodies& bodies, const Tolerances& tolerances, std::uint32_t body);
-    /// Removes the unused indices of bounds if they are many. True if other indices have changed.
-    bool dropUnused(const Bodies& bodies);
-    /// Removes all unused indices of bounds and orders the others. True if that changed anything.
-    bool compact(const Bodies& bodies);
+    /// See PartBounds. True if the indices of bounds have changed.
+    bool renumberIfDue(const Bodies& bodies, std::size_t contacts);
     /// Fills the trees from the bounds.
     void buildTrees(const Bodies& bodies);
     /// These bodies have become active or inactive.

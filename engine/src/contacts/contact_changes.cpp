@@ -174,9 +174,6 @@ void ContactSet::renewChanged(const Bodies& bodies, const Tolerances& tolerances
     if (bounds.takeMoved()) {
         store_.partsChanged();
     }
-    if (candidates_.dropUnused(bodies)) {
-        store_.renumberBounds(bounds);
-    }
     for (const std::uint32_t body : changes_) {
         store_.describe(body, bodies, bounds);
     }
@@ -213,9 +210,8 @@ void ContactSet::applyChanges(const Bodies& bodies, const Tolerances& tolerances
     }
     changes_.clear();
     PartBounds& bounds = candidates_.bounds();
-    if (bounds.countStep(store_.size()) && candidates_.compact(bodies)) {
+    if (candidates_.renumberIfDue(bodies, store_.size())) {
         store_.renumberBounds(bounds);
-        store_.refreshPlaces();
     }
     if (std::exchange(pairsStale_, false)) {
         bounds.listAll();

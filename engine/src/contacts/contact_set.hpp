@@ -82,6 +82,11 @@ public:
     }
     /// Puts back contacts that takeIdle returned. A contact already in the list stays unchanged.
     void putBack(std::span<const StoredContact> contacts, Bodies& bodies);
+    /// True if applyChanges() has nothing to do.
+    bool isUpToDate() const {
+        return !stale_ && !pairsStale_ && changes_.empty() && activityChanges_.empty() &&
+               !store_.anyDetached();
+    }
     /// Updates bounds and contacts after changes of bodies; does not search pairs.
     void applyChanges(const Bodies& bodies, const Tolerances& tolerances);
 
@@ -122,14 +127,14 @@ public:
     /// Determines begin, persist and end of each contact. Contacts whose state does not change are
     /// not visited.
     void finishStepOfContacts(const Bodies& bodies, const Tolerances& tolerances, WorkerTeam& team);
-    void finishStep(bool wantRecords) { records_.finish(wantRecords); }
 
     /// Records of the last step. Reading them does not change the contacts.
     StepRecords& records() const { return records_; }
     StepRecords::Source recordSource(const Bodies& bodies) const {
         return {store_, bodies, fastestApproach_};
     }
-    void visitState(StateStream& stream, const Bodies& bodies, const Tolerances& tolerances);
+    /// Before writing, the contacts must be up to date.
+    void visitState(StateStream& stream, const Bodies& bodies);
 
 private:
     /// Of a body since the last step; Bounded: its bounds are up to date.

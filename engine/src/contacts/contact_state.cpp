@@ -92,10 +92,14 @@ void completeContact(Contact& contact, const Bodies& bodies) {
 }
 
 /// Of all lists the one of all records is stored; those of begins and ends follow from it.
-void StepRecords::visitState(StateStream& stream) {
+void StepRecords::visitState(StateStream& stream, const Source& source) {
     auto& [allDue, eventsDue, toggled, allRecords, begun, ended, removed, ends, nextEnds, slots] =
         *this;
-    stream(allRecords, nextEnds);
+    std::vector<CollisionRecord> due;
+    if (allDue) { // only of a World that is written
+        list(source, due);
+    }
+    stream(allDue ? due : allRecords, nextEnds);
     if (stream.reads()) {
         std::for_each(allRecords.begin(), allRecords.end(), checkRecord);
         std::for_each(nextEnds.begin(), nextEnds.end(), checkRecord);
@@ -109,6 +113,12 @@ void PartBounds::visitState(StateStream& stream, const Bodies& bodies) {
     auto& [parts, firstPart, room, count, firstBefore, from, listed, usedCount, inOrder, hasMoved,
            compared, moves, footprints, corners, unusedCorners, tight, grown, changed, isChanged,
            outgrown] = *this;
+    if (!stream.reads() && (hasUnused() || !inOrder)) { // the bytes do not depend on indices
+        PartBounds renumbered = *this;
+        renumbered.renumber();
+        renumbered.visitState(stream, bodies);
+        return;
+    }
     stream(tight, grown, changed);
     if (!stream.reads()) {
         return;
@@ -163,20 +173,12 @@ void ContactStore::visitState(StateStream& stream, const Bodies& bodies, const P
             "a contact occurs twice");
 }
 
-void ContactSet::visitState(StateStream& stream, const Bodies& bodies,
-                            const Tolerances& tolerances) {
+void ContactSet::visitState(StateStream& stream, const Bodies& bodies) {
     auto& [candidates, store, touchCounts, records, ghostCollisions, oneWayBodies, lineSides, live,
            found, onGround, idle, changes, activityChanges, arrivals, hasChanged, fastestApproach,
            stale, pairsStale, liveStale, allArrived, contactsChanged, anySensors, anyBounces] =
         *this;
-    if (!stream.reads()) {
-        records.all(recordSource(bodies));
-        applyChanges(bodies, tolerances);
-        if (candidates.compact(bodies)) { // the bytes do not depend on indices of parts
-            store.renewPlaces(candidates.bounds());
-        }
-    }
-    records.visitState(stream);
+    records.visitState(stream, recordSource(bodies));
     candidates.visitState(stream, bodies);
     store.visitState(stream, bodies, candidates.bounds());
     if (stream.reads()) {

@@ -127,18 +127,9 @@ void ContactStore::renumber(std::vector<std::uint32_t>& slots) const {
 /// removed if the bounds of one of its parts have changed.
 bool ContactStore::findChanges(const CandidatePairs& candidates, WorkerTeam& team) {
     changes_.clear();
-    if (candidates.bounds().isInOrder()) {
-        findChanges(candidates, team, std::less<>());
-    } else {
-        findChanges(candidates, team,
-                    [&](BoundsPair a, BoundsPair b) { return candidates.bounds().isBefore(a, b); });
-    }
-    return !changes_.empty();
-}
-
-template <typename IsBefore>
-void ContactStore::findChanges(const CandidatePairs& candidates, WorkerTeam& team,
-                               IsBefore isBefore) {
+    const auto isBefore = [&](BoundsPair a, BoundsPair b) {
+        return candidates.bounds().isBefore(a, b);
+    };
     const std::span<const BoundsPair> pairs = candidates.pairs();
     const std::uint8_t* const isChanged = candidates.bounds().isChanged().data();
     changesFound_.gather(
@@ -166,6 +157,7 @@ void ContactStore::findChanges(const CandidatePairs& candidates, WorkerTeam& tea
                 found.push_back({*pair, static_cast<std::uint32_t>(last), true});
             }
         });
+    return !changes_.empty();
 }
 
 void ContactStore::merge(const CandidatePairs& candidates, Bodies& bodies, WorkerTeam& team) {
@@ -355,12 +347,12 @@ void ContactStore::renewSummary(std::uint32_t slot, const PartBounds& bounds) {
 }
 
 void ContactStore::renumberBounds(const PartBounds& bounds) {
-    for (const Place& place : order_) {
+    for (Place& place : order_) {
         ContactSummary& summary = summaries_[place.slot];
         summary.proxies = {bounds.indexNow(summary.proxies.first, summary.bodyA),
                            bounds.indexNow(summary.proxies.second, summary.bodyB)};
+        place.pair = summary.proxies;
     }
-    placesStale_ = true;
 }
 
 void ContactStore::refreshPlaces() {

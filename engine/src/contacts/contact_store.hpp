@@ -74,6 +74,7 @@ public:
 
     /// Takes a contact out of the lists of its bodies. Its slot stays in use until freeDetached().
     void detach(std::uint32_t slot);
+    bool anyDetached() const { return !gone_.empty(); }
     /// Frees the slots of detached contacts. False if there are none.
     bool freeDetached();
     /// Removes the slots that the last freeDetached() freed from a list, and renumbers those that
@@ -110,7 +111,7 @@ public:
     void describe(std::uint32_t body, const Bodies& bodies, const PartBounds& bounds);
     /// Describes all contacts in their summaries, and finds the indices of their bounds.
     void renewPlaces(const PartBounds& bounds);
-    /// The indices of bounds have changed: see PartBounds::indexNow. refreshPlaces() must follow.
+    /// The indices of bounds have changed: see PartBounds::indexNow.
     void renumberBounds(const PartBounds& bounds);
     /// The keys of contacts have changed, but not their order. refreshPlaces() must follow.
     void partsChanged() { placesStale_ = true; }
@@ -131,8 +132,6 @@ private:
         bool isNew;
     };
 
-    template <typename IsBefore>
-    void findChanges(const CandidatePairs& candidates, WorkerTeam& team, IsBefore isBefore);
     void fillHoles();
     void addContacts(const CandidatePairs& candidates, Bodies& bodies, WorkerTeam& team);
     std::uint32_t append(const StoredContact& contact, const PartBounds& bounds);

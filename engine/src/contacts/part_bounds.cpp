@@ -152,29 +152,18 @@ void PartBounds::resize(std::uint32_t body, std::uint32_t parts) {
     }
 }
 
-bool PartBounds::dropUnused() {
+bool PartBounds::renumberIfDue(std::size_t contacts) {
     if (unusedCorners_ > corners_.size() / 2) {
         compactCorners();
     }
-    const std::size_t unused = parts_.size() - usedCount_;
-    if (unused <= kFewUnused || unused <= usedCount_) {
-        return false;
-    }
-    renumber();
-    return true;
-}
-
-bool PartBounds::compact() {
-    if (!hasUnused() && inOrder_) {
-        return false;
-    }
-    renumber();
-    return true;
-}
-
-bool PartBounds::countStep(std::size_t contacts) {
     compared_ += inOrder_ ? 0 : contacts + 1;
-    return compared_ > kComparisons * parts_.size();
+    const std::size_t unused = parts_.size() - usedCount_;
+    const bool mostUnused = unused > kFewUnused && unused > usedCount_;
+    if (!mostUnused && compared_ <= kComparisons * parts_.size()) {
+        return false;
+    }
+    renumber();
+    return true;
 }
 
 std::size_t PartBounds::listBodies(std::vector<std::uint32_t>& bodies) const {

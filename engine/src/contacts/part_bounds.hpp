@@ -54,6 +54,9 @@ public:
     }
     /// Whether a pair comes before another one in the order of keys.
     bool isBefore(BoundsPair a, BoundsPair b) const {
+        if (inOrder_) {
+            return a < b;
+        }
         return a.first != b.first ? rank(a.first) < rank(b.first) : rank(a.second) < rank(b.second);
     }
     /// Lists the bodies with parts, in order, and returns the number of visits. These are linear in
@@ -83,18 +86,12 @@ public:
     void renew(const Bodies& bodies, const Tolerances& tolerances);
     /// The same if only this body was added, removed or changed: the bounds of the others stay.
     void renew(const Bodies& bodies, const Tolerances& tolerances, std::uint32_t body);
-    /// Removes the unused indices and restores the order if most are unused. True if the indices of
-    /// other parts have changed.
-    bool dropUnused();
-    /// The same however few are unused.
-    bool compact();
+    /// Gives all parts new indices, in order and none unused, once most are unused or this costs
+    /// less than further steps that compare so many contacts by rank. Counts a step.
+    bool renumberIfDue(std::size_t contacts);
     /// True once after the indices of a body moved to the end.
     bool takeMoved() { return std::exchange(hasMoved_, false); }
-    /// Counts a step that compared as many contacts by rank. True: compact() costs less than more
-    /// such steps.
-    bool countStep(std::size_t contacts);
-    /// Present index of a part of an unchanged body, from its index before the last dropUnused() or
-    /// compact() that returned true.
+    /// Present index of a part, from its index before the last renumbering.
     std::uint32_t indexNow(std::uint32_t before, std::uint32_t body) const {
         return before - firstBefore_[body] + firstPart_[body];
     }
@@ -111,7 +108,6 @@ public:
     void coverDisplacements(const Bodies& bodies, const Tolerances& tolerances, WorkerTeam& team);
     /// Empties the list of changed parts, after their pairs have been found.
     void clearChanged();
-    /// When writing, the indices must be in order, and none unused.
     void visitState(StateStream& stream, const Bodies& bodies);
 
 private:

@@ -52,17 +52,22 @@ void StepRecords::addEnd(const Contact& contact) {
 
 std::span<const CollisionRecord> StepRecords::all(const Source& source) {
     if (std::exchange(allDue_, false)) {
-        all_.reserve(source.store.capacity() + removed_.size() + ends_.size());
-        const std::span<const Contact> contacts = source.store.contacts();
-        source.store.forEachInOrder([&](std::uint32_t slot) {
-            if (contacts[slot].phase) {
-                recordContact(source.store.copyOf(slot, source.bodies), all_);
-            }
-        });
-        addInOrder(removed_, all_);
-        addInOrder(ends_, all_);
+        list(source, all_);
     }
     return all_;
+}
+
+/// Writes all records to an empty list.
+void StepRecords::list(const Source& source, std::vector<CollisionRecord>& records) const {
+    records.reserve(source.store.capacity() + removed_.size() + ends_.size());
+    const std::span<const Contact> contacts = source.store.contacts();
+    source.store.forEachInOrder([&](std::uint32_t slot) {
+        if (contacts[slot].phase) {
+            recordContact(source.store.copyOf(slot, source.bodies), records);
+        }
+    });
+    addInOrder(removed_, records);
+    addInOrder(ends_, records);
 }
 
 /// Appends the records of the last step for which accept(record) is true, in order. find(slots)

@@ -43,10 +43,10 @@ public:
     void addEnd(const Contact& contact);
     /// Slots of the contacts that began or ended in the last step.
     std::vector<std::uint32_t>& toggled() { return toggled_; }
-    /// When writing, all() must have been called.
-    void visitState(StateStream& stream);
+    void visitState(StateStream& stream, const Source& source);
 
 private:
+    void list(const Source& source, std::vector<CollisionRecord>& records) const;
     template <typename Find, typename Accept>
     void select(Find find, Accept accept, const Source& source, std::vector<CollisionRecord>& out);
     void writeEvents(const Source& source);

@@ -57,7 +57,12 @@ void ParkedContacts::listAll() {
 
 void ParkedContacts::visitState(StateStream& stream, const Bodies& bodies) {
     auto& [contacts, gaps, lists, slots, visits] = *this;
-    closeGaps();
+    if (!stream.reads() && gaps > 0) { // the bytes hold no gaps
+        std::vector<StoredContact> all;
+        forEach([&](const StoredContact& contact) { all.push_back(contact); });
+        stream(all);
+        return;
+    }
     stream(contacts);
     if (stream.reads()) {
         for (StoredContact& contact : contacts) {

@@ -69,7 +69,7 @@ class QueryScope {
 public:
     QueryScope(const World& world, CollisionFilter which, std::span<const BodyId> except)
         : bodies_(world.impl().bodyData()),
-          parts_(world.impl().partData()),
+          parts_(world.impl().contactData().candidates()),
           which_(which),
           except_(bodies_, except) {
         refuse(checkFilter({which.flags & ~kNoSensors, which.required, which.group}));

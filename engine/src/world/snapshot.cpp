@@ -13,6 +13,8 @@ namespace {
 constexpr std::uint32_t kMagic = 0x6f646f4b; // "Kodo"
 constexpr std::uint32_t kFormat = 20;        // increases with every change of visitState()
 constexpr std::size_t kChecksumSize = sizeof(std::uint64_t);
+constexpr std::size_t kBytesPerBody = 256; // as of most Worlds; more bytes cost a copy of them
+constexpr std::size_t kBytesPerContact = 384;
 
 void refuseUnless(bool good, const std::string& sentence) {
     if (!good) {
@@ -46,7 +48,9 @@ void WorldImpl::visitState(StateStream& stream, OwnFields ownFields) {
     // Left out is what the next step computes before use: solvers, continuous collision, caches.
     kodo::visitState(stream, settings);
     kodo::visitState(stream, tolerances);
-    bodies.turns = settings.has(Feature::Rotation);
+    if (stream.reads()) {
+        bodies.turns = settings.has(Feature::Rotation);
+    }
     kodo::visitState(stream, bodies, lastGeometry);
     stream.list(fields, [&](FieldEntry& entry) {
         kodo::visitState(stream, entry, ownFields);
@@ -55,12 +59,14 @@ void WorldImpl::visitState(StateStream& stream, OwnFields ownFields) {
     });
     require(ownFields.empty(), "more user-defined force fields were given than the snapshot needs");
     joints.visitState(stream, bodies, tolerances.unit());
-    contacts.visitState(stream, bodies, tolerances);
+    contacts.visitState(stream, bodies);
     sleep.visitState(stream, bodies);
     stream.as<std::uint64_t>(contactVisits);
     stream(stepCount, broken, frozen);
     region.visitState(stream, bodies);
-    count = 0;
+    if (!stream.reads()) {
+        return;
+    }
     for (std::uint32_t i = 0; i < bodies.size(); ++i) {
         count += bodies.ids.aliveAt(i) ? 1 : 0;
         flagBlocks.note(i, bodies.filter[i].flags);
@@ -68,11 +74,18 @@ void WorldImpl::visitState(StateStream& stream, OwnFields ownFields) {
 }
 
 std::vector<std::byte> toBytes(const World& world) {
-    StateStream stream;
+    const WorldImpl& impl = world.impl();
+    impl.guard().requireWhole("toBytes");
+    StateStream stream(kBytesPerBody * impl.bodyCount() +
+                       kBytesPerContact * impl.contactData().store().size());
     header(stream);
-    world.impl().guard().requireWhole("toBytes");
-    WorldImpl copy = world.impl(); // brought into an order that the bytes do not depend on
-    copy.visitState(stream, {});
+    if (impl.contactData().isUpToDate()) {
+        const_cast<WorldImpl&>(impl).visitState(stream, {}); // writing changes nothing
+    } else {
+        WorldImpl copy = impl; // the bytes hold no changes that the next step would apply
+        copy.contactData().applyChanges(copy.bodyData(), copy.tolerances());
+        copy.visitState(stream, {});
+    }
     stream.write(checksumOf(stream.written()));
     return stream.takeWritten();
 }

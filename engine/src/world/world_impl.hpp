@@ -38,6 +38,7 @@ public:
     BodyRef operator[](BodyId id) { return {*this, id}; }
     const Bodies& bodyData() const { return bodies_; }
     ContactSet& contactData() { return contacts_; }
+    const ContactSet& contactData() const { return contacts_; }
 
     std::size_t weld(BodyId into, BodyId part);
     std::size_t weld(BodyId into, const Primitive& shape, const Material& material, Real density);
@@ -79,12 +80,11 @@ public:
     }
 
     std::uint64_t stateHash() const;
-    /// When reading, the World must be new.
+    /// When reading, the World must be new. Before writing, the contacts must be up to date.
     void visitState(StateStream& stream, OwnFields ownFields);
 
     // For queries.
     const ChangeGuard& guard() const { return guard_; }
-    const CandidatePairs& partData() const { return contacts_.candidates(); }
 
 private:
     friend class BodyRef;

@@ -68,7 +68,7 @@ void WorldStep::run(StageListener* listener) {
     if (!contacts_.contacts().empty() || !contacts_.touchCounts().changes().empty()) {
         recordCollisions();
     }
-    contacts_.finishStep(settings_.has(Feature::Records));
+    contacts_.records().finish(settings_.has(Feature::Records));
     broken_.clear();
     if (joints_.size() > 0) {
         breakJoints();
