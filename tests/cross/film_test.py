@@ -10,6 +10,7 @@ import zlib
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools" / "lib"))
 
+import crosscheck  # noqa: E402
 import crosscheck_player as player  # noqa: E402
 
 STYLES = [("reference", "#000000"), ("near", "#111111"), ("far & wide", "#222222")]
@@ -57,6 +58,15 @@ class Film(unittest.TestCase):
         film["parted"] = [None, None, None]
         self.assertEqual(player.marks(film, STYLES), "")
         self.assertIn("No point is ever more than 20 mm", player.parts(film, STYLES))
+
+    def test_the_nearer_engine_follows_from_the_figures(self):
+        def figure(kodo, box2d, rule="exact"):
+            return {"rule": rule, "kodo": [kodo, 9, 9, 9], "box2d": box2d, "exact": 1}
+
+        self.assertEqual(crosscheck.nearer({"figures": [figure(1, 1 + 1e-7), figure(2, 1, "show")]}), "")
+        said = crosscheck.nearer({"figures": [figure(1.01, 1.1), figure(1.1, 1), figure(1, 1.2, "kodo"),
+                                              figure(1.1, 1.15)]})
+        self.assertIn("Kodo in 2, Box2D in 1 figures", said)
 
     def test_the_script_asks_no_other_host(self):
         for word in ("http:", "https:", "fetch(", "import(", "XMLHttpRequest", "//cdn"):

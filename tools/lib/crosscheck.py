@@ -324,6 +324,21 @@ def verdict(scene):
     return "good", "all agree"
 
 
+def nearer(scene):
+    """Which engine is nearer to the closed forms, from the figures: by twice and more than 1e-6."""
+    kodo = box2d = 0
+    for figure in scene["figures"]:
+        if figure["rule"] in ("exact", "kodo") and figure["box2d"] is not None:
+            ours = abs(figure["kodo"][0] - figure["exact"])
+            theirs = abs(figure["box2d"] - figure["exact"])
+            far = 1e-6 * max(1, abs(figure["exact"]))
+            kodo += theirs > max(far, 2 * ours)
+            box2d += ours > max(far, 2 * theirs)
+    if kodo + box2d == 0:
+        return ""
+    return f"Nearer to the closed form (soft, float): Kodo in {kodo}, Box2D in {box2d} figures."
+
+
 def row(figure):
     unit = f' <span class="small">{escape(figure["unit"])}</span>' if figure["unit"] else ""
     cells = f'<td class="words first">{escape(figure["what"])}{unit}</td>'
@@ -391,7 +406,8 @@ def section(scene):
         f'<section id="{scene["name"]}"><h2>{escape(scene["title"])}</h2>'
         f'<div class="name">{scene["name"]}</div>'
         f'<p>{escape(scene["text"])}</p>'
-        f'<p><span class="verdict {kind}">{words}</span> {escape(scene["difference"])}</p>'
+        f'<p><span class="verdict {kind}">{words}</span> {escape(scene["difference"])}'
+        f' <span class="small">{nearer(scene)}</span></p>'
         f'<div class="top"><div><div class="stage">{drawing(scene)}<canvas></canvas></div>'
         f"{crosscheck_player.player(scene, View(extent(scene), 520, 330), STYLES)}</div>"
         f"<div>{chart(scene)}{hits(scene)}</div></div>"
