@@ -51,21 +51,21 @@ bool hasCrept(const Transform& pose, const Transform& since, Real reach, Real di
 /// True if a motor with a target speed moves its joint: at half of that speed at least. One that is
 /// stalled, by a limit or a load, lets its island sleep.
 bool drives(const JointSet::Joint& joint, const Bodies& bodies) {
-    const JointState state = stateOf(joint, bodies);
-    const auto reaches = [](Real most, Real target, Real speed) {
-        return most > 0 && target != 0 && speed / target > Real(0.5);
+    const auto reaches = [&](Real most, Real target, Real JointState::*speed) {
+        return most > 0 && target != 0 && stateOf(joint, bodies).*speed / target > Real(0.5);
     };
     if (const auto* slider = std::get_if<PrismaticJoint>(&joint.def)) {
-        return reaches(slider->motorForce, slider->motorSpeed, state.speed);
+        return reaches(slider->motorForce, slider->motorSpeed, &JointState::speed);
     }
     if (const auto* rod = std::get_if<DistanceJoint>(&joint.def)) {
-        return reaches(rod->motorForce, rod->motorSpeed, state.lengthSpeed);
+        return reaches(rod->motorForce, rod->motorSpeed, &JointState::lengthSpeed);
     }
     if (const auto* hinge = std::get_if<RevoluteJoint>(&joint.def)) {
-        return reaches(hinge->motorTorque, hinge->motorSpeed, state.angularSpeed);
+        return reaches(hinge->motorTorque, hinge->motorSpeed, &JointState::angularSpeed);
     }
     const auto* wheel = std::get_if<WheelJoint>(&joint.def);
-    return wheel != nullptr && reaches(wheel->motorTorque, wheel->motorSpeed, state.angularSpeed);
+    return wheel != nullptr &&
+           reaches(wheel->motorTorque, wheel->motorSpeed, &JointState::angularSpeed);
 }
 
 } // namespace
