@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A heavy ball on a chain of light links that hits a tower. Contacts keep gaps of the chain open;
 // closing them must not throw the ball.
+#include <support/draws.hpp>
+
 #include <gtest/gtest.h>
 #include <joints/rig.hpp>
 
@@ -52,8 +54,8 @@ double largestEnergy(const StepSettings& settings, Real density, Real rate, Real
 // energy; with the solver of the thesis in 2 and 4.
 TEST(WreckingBall, GainsNoEnergyFromATower) {
     for (const StepSettings& settings : {balanced(), thesis2006()}) {
-        for (const Real density : {Real(8), Real(20), Real(40)}) { // kg/m^2: 20, 51, 102 kg
-            for (const Real rate : {Real(60), Real(120), Real(240)}) {
+        for (const Real density : support::variants({Real(20), Real(40), Real(8)})) { // kg/m^2
+            for (const Real rate : support::variants({Real(60), Real(240), Real(120)})) {
                 for (int i = 0; i < 6; ++i) {
                     const Real towerX = Real(-3.3) + Real(0.1) * static_cast<Real>(i);
                     EXPECT_LT(largestEnergy(settings, density, rate, towerX), 1.05)

@@ -156,7 +156,8 @@ double amplitudeOf(std::span<const float> samples, double hertz) {
 }
 
 TEST(Synth, GlassHasATenthOfItsEnergyAboveFourKilohertz) {
-    for (std::uint8_t variant = 0; variant < kVariants; ++variant) {
+    const int variants = support::kSanitized ? 1 : kVariants;
+    for (std::uint8_t variant = 0; variant < variants; ++variant) {
         const std::vector<float> sound = synthesise(Voice::Glass, variant);
         double high = 0;
         double all = 0;
