@@ -117,8 +117,8 @@ Real advance(MovingShape a, MovingShape b, Real target, Real t, Look lookAhead) 
 
 /// The same with one axis at a time.
 template <typename Measure>
-Real advanceAlong(MovingShape a, MovingShape b, Real target, Measure separationAt) {
-    return advance(a, b, target, 0,
+Real advanceAlong(MovingShape a, MovingShape b, Real target, Real from, Measure separationAt) {
+    return advance(a, b, target, from,
                    [&](const Transform& at, const Transform& bt, const RelativePath& path) {
                        const Separation now = separationAt(at, bt);
                        SeparationBound separationBound;
@@ -151,12 +151,12 @@ Separation fromVertex(const ConvexShape& line, std::size_t end, const Transform&
 /// A shape in front first touches the line along the line's normal, or at a vertex along a
 /// direction that the line owns there. All other impacts belong to neighbours, or the shape passes
 /// through.
-Real impactOnOneSided(MovingShape line, MovingShape other, Real target) {
+Real impactOnOneSided(MovingShape line, MovingShape other, Real target, Real from) {
     const auto above = [&](const Transform& a, const Transform& b) {
         return aboveLine(line.shape, a, other.shape, b);
     };
-    if (above(line.sweep.start, other.sweep.start).distance > target * Real(1.5)) {
-        const Real t = advanceAlong(line, other, target, above);
+    if (above(line.sweep.at(from), other.sweep.at(from)).distance > target * Real(1.5)) {
+        const Real t = advanceAlong(line, other, target, from, above);
         if (t > 1 || collideOneSided(line.shape, line.sweep.at(t), other.shape, other.sweep.at(t),
                                      {8 * target, 0, kAhead * target})
                              .count > 0) {
@@ -171,7 +171,7 @@ Real impactOnOneSided(MovingShape line, MovingShape other, Real target) {
         const auto vertex = [&](const Transform& a, const Transform& b) {
             return fromVertex(line.shape, end, a, other.shape, b);
         };
-        const Real t = advanceAlong(line, other, target, vertex);
+        const Real t = advanceAlong(line, other, target, from, vertex);
         if (t < first) {
             const Transform a = line.sweep.at(t);
             const Vec2 direction = unrotate(a.rotation, vertex(a, other.sweep.at(t)).axis);
@@ -210,7 +210,7 @@ Real timeOfPoint(MovingShape line, Vec2 normal, MovingShape other, Vec2 point, R
     if (start <= -slop) {
         return kNever;
     }
-    const Real t = advanceAlong(line, other, start > slop ? slop / 4 : -slop, above);
+    const Real t = advanceAlong(line, other, start > slop ? slop / 4 : -slop, 0, above);
     if (t > 1) {
         return kNever;
     }
@@ -246,10 +246,10 @@ Real timeOfImpact(const ConvexShape& shapeA, const MotionPath& a, const ConvexSh
         return timeOfImpact(shapeA, a, *side, b, target, from);
     }
     if (shapeA.oneSided && !shapeB.isPlane()) {
-        return impactOnOneSided(movingA, movingB, target);
+        return impactOnOneSided(movingA, movingB, target, from);
     }
     if (shapeB.oneSided && !shapeA.isPlane()) {
-        return impactOnOneSided(movingB, movingA, target);
+        return impactOnOneSided(movingB, movingA, target, from);
     }
     return advance(movingA, movingB, target, from,
                    [&](const Transform& at, const Transform& bt, const RelativePath& path) {

@@ -35,8 +35,7 @@ struct MotionPath {
 /// A one-sided line is hit only from its front. A chain of lines has no ghost impacts at its
 /// vertices.
 ///
-/// `from`: fraction before which the shapes are known not to come so near; ignored for one-sided
-/// lines.
+/// `from`: fraction before which the shapes are known not to come so near, or do not count.
 ///
 /// Accuracy: half of `target`. With `target` < 0, the result is when touching shapes reach that
 /// overlap.

@@ -254,6 +254,13 @@ void findContact(Contact& contact, const ContactLane& lane, const Bodies& bodies
     contact.teleportCounts[1] = bodies.teleportCount[key.bodyB];
 }
 
+bool mayGainPoint(const Bodies& bodies, const Contact& contact) {
+    const auto& [bodyA, partA, bodyB, partB] = contact.key;
+    return contact.manifold.count == 0 ||
+           (contact.manifold.count == 1 && !bodies.convex(bodyA, partA).isRound() &&
+            !bodies.convex(bodyB, partB).isRound());
+}
+
 void measureApproach(const Contact& contact, const ContactLane& lane, const Bodies& bodies) {
     const BodyVelocity& a = bodies.motion[contact.key.bodyA];
     const BodyVelocity& b = bodies.motion[contact.key.bodyB];

@@ -32,6 +32,9 @@ bool isOutdated(Real relativeDisplacement, bool bounces, const Tolerances& toler
 void findContact(Contact& contact, const ContactLane& lane, const Bodies& bodies,
                  const Tolerances& tolerances, Real dt);
 
+/// True if the manifold of a contact may get a further point. That with a disc has one.
+bool mayGainPoint(const Bodies& bodies, const Contact& contact);
+
 /// Removes the points of a manifold that move over a hilltop of a one-sided or jointed line before
 /// they touch it, in a step of dt (s). With them, the straight extension of the line would lift a
 /// shape whose last corner leaves a ramp. All points of sensors and round shapes are kept: the

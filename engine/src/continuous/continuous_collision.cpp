@@ -117,7 +117,9 @@ bool closes(const Bodies& bodies, const ContactSet& contactSet, std::uint32_t sl
     const bool mayBeThrough = motion > far &&
                               motion >= (extentA.coreRadius + extentB.coreRadius) / 2 &&
                               (thin || gap >= -tolerances.slop);
-    return (gap > tolerances.slop || mayBeThrough) && mayMeet(bodies, bounds, summary, tolerances);
+    return (gap > tolerances.slop || mayBeThrough ||
+            (summary.bounces && isUnheld(bodies, contactSet, slot, tolerances.slop))) &&
+           mayMeet(bodies, bounds, summary, tolerances);
 }
 
 /// Order of the heap: the earliest event on top, equal times in the order of the keys of contacts.
@@ -164,6 +166,9 @@ void ContinuousCollision::run(Bodies& bodies, ContactSet& contactSet, const Join
     const auto& [settings, tolerances, dt] = parameters;
     candidates_.clear();
     stoppedAtLines_.clear();
+    if (contactSet.mayBounce()) {
+        contactSet.store().lists(); // built here, read on any thread
+    }
     bool sensors = false;
     if (markSwift(bodies, contactSet.mayBounce(), tolerances, team) ||
         contactSet.mayHaveSensors()) {
@@ -252,14 +257,23 @@ Real ContinuousCollision::impactTime(const Bodies& bodies, const Contact& contac
 void ContinuousCollision::findTime(const Step& step, std::uint32_t i, Real from) {
     const Contact& contact = step.contacts[i];
     const Real motion = motionOf(step.bodies, contact);
-    const auto timeFrom = [&](Real gap) {
-        const auto target =
-            stoppingGap(step.bodies, contact, gap, motion, step.settings, step.tolerances);
-        return target ? std::min(impactTime(step.bodies, contact, *target, from),
-                                 timeToJointedLine(step, contact, *target))
+    const Real gap = gapOf(step.bodies, step.contactSet, i, step.tolerances);
+    const Real slop = step.tolerances.slop;
+    const bool unheld = gap <= slop && gap > -slop && step.settings.has(Feature::Restitution) &&
+                        isUnheld(step.bodies, step.contactSet, i, slop);
+    const auto departure =
+        unheld ? departureTime(step.bodies, step.contactSet, i, kStopShort * slop, slop)
+               : std::nullopt;
+    const auto timeFrom = [&](Real apart) {
+        const auto target = unheld && !departure
+                                ? std::optional(-slop)
+                                : stoppingGap(step.bodies, contact, departure ? 2 * slop : apart,
+                                              motion, step.settings, step.tolerances);
+        const Real first = departure.value_or(0);
+        return target ? std::min(impactTime(step.bodies, contact, *target, std::max(from, first)),
+                                 timeToJointedLine(step, contact, *target, first))
                       : Real(1);
     };
-    const Real gap = gapOf(step.bodies, step.contactSet, i, step.tolerances);
     Real& time = times_[i];
     time = timeFrom(gap);
     if (time >= 1) {

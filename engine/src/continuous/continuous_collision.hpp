@@ -84,7 +84,7 @@ private:
     Real impactTime(const Bodies& bodies, const Contact& contact, Real gap, Real from) const;
     void noteLine(const Step& step, std::uint32_t contact);
     Real timeThroughLine(const Step& step, const Contact& contact, Real motion) const;
-    Real timeToJointedLine(const Step& step, const Contact& contact, Real gap) const;
+    Real timeToJointedLine(const Step& step, const Contact& contact, Real gap, Real from) const;
     void findPushes(const Step& step);
     void takePushedDisplacement(const Step& step, const Contact& contact, Real time);
     void cutShort(const Step& step, std::uint32_t body, Real time);

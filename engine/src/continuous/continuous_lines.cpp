@@ -79,8 +79,8 @@ Real ContinuousCollision::timeThroughLine(const Step& step, const Contact& conta
 
 /// Time of impact with a two-sided line that shares a vertex with another, as with a chain: a point
 /// that lies a little below the last line would pass below the vertex. 1 for other contacts.
-Real ContinuousCollision::timeToJointedLine(const Step& step, const Contact& contact,
-                                            Real gap) const {
+Real ContinuousCollision::timeToJointedLine(const Step& step, const Contact& contact, Real gap,
+                                            Real from) const {
     const Bodies& bodies = step.bodies;
     const auto line = jointedLineOf(bodies, contact.key);
     if (!line) {
@@ -90,7 +90,7 @@ Real ContinuousCollision::timeToJointedLine(const Step& step, const Contact& con
     const Real side = jointedSideOf(bodies, contact, *line, step.tolerances.margin).side;
     return timeOfImpact(facingTo(shape, side * shape.normals[1]), pathOf(bodies, line->body),
                         bodies.convex(line->otherBody, line->otherPart),
-                        pathOf(bodies, line->otherBody), gap, 0);
+                        pathOf(bodies, line->otherBody), gap, from);
 }
 
 } // namespace KODO_PRECISION

@@ -3,8 +3,12 @@
 
 #include <kodo/geometry.hpp>
 
+#include "contacts/contact_update.hpp"
+
 #include <algorithm>
 #include <cmath>
+
+#include "impacts/departure.hpp"
 
 namespace kodo {
 inline namespace KODO_PRECISION {
@@ -67,6 +71,44 @@ Real gapOf(const Bodies& bodies, const ContactSet& contactSet, std::uint32_t slo
     return separation(bodies.convex(bodyA, partA), bodies.pose[bodyA], bodies.convex(bodyB, partB),
                       bodies.pose[bodyB])
         .distance;
+}
+
+bool isUnheld(const Bodies& bodies, const ContactSet& contactSet, std::uint32_t slot, Real slop) {
+    const Contact& contact = contactSet.contacts()[slot];
+    if (!contact.bounces || contactSet.store().expired(slot) ||
+        (contact.manifold.count < 2 && !mayGainPoint(bodies, contact))) {
+        return false;
+    }
+    const auto& impulse = contactSet.store().numbers(slot).impulse;
+    return impulse[0].normal + impulse[1].normal == 0 &&
+           isAlone(bodies, contactSet.store(), slot, slop);
+}
+
+std::optional<Real> departureTime(const Bodies& bodies, const ContactSet& contactSet,
+                                  std::uint32_t slot, Real near, Real slop) {
+    const Contact& contact = contactSet.contacts()[slot];
+    const Manifold& manifold = contact.manifold;
+    const Vec2 normal = manifold.normal;
+    const ContactNumbers numbers = contactSet.store().numbers(slot);
+    const BodyVelocity& a = bodies.motion[contact.key.bodyA];
+    const BodyVelocity& b = bodies.motion[contact.key.bodyB];
+    const Real moved = dot(normal, b.deltaPosition - a.deltaPosition);
+    Real last = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i) {
+        const Real gap = numbers.separation[i];
+        if (gap > slop) {
+            continue;
+        }
+        const ManifoldPoint& p = manifold.points[i];
+        const Real rise = moved + (leverOf(p.armB, normal) * b.deltaAngle -
+                                   leverOf(p.armA, normal) * a.deltaAngle);
+        const Real missing = 2 * near - gap;
+        if (!(rise > 0 && missing < rise)) {
+            return std::nullopt;
+        }
+        last = std::max(last, missing / rise);
+    }
+    return last;
 }
 
 } // namespace KODO_PRECISION

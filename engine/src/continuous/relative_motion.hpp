@@ -4,6 +4,8 @@
 #include "bodies/bodies.hpp"
 #include "contacts/contact_set.hpp"
 
+#include <optional>
+
 namespace kodo {
 inline namespace KODO_PRECISION {
 
@@ -21,6 +23,14 @@ Real relativeMotion(const Bodies& bodies, const MovingBody& movingA, const Movin
 /// Separation (m) at the start of the step of a pair without a sensor.
 Real gapOf(const Bodies& bodies, const ContactSet& contactSet, std::uint32_t slot,
            const Tolerances& tolerances);
+
+/// True for a touching pair with restitution that the solver did not hold, and that may touch at
+/// another point; see Departure::BetweenImpacts.
+bool isUnheld(const Bodies& bodies, const ContactSet& contactSet, std::uint32_t slot, Real slop);
+/// Fraction of the step after which the touching points of such a pair have left, by twice `near`
+/// (m). No value if they do not leave.
+std::optional<Real> departureTime(const Bodies& bodies, const ContactSet& contactSet,
+                                  std::uint32_t slot, Real near, Real slop);
 
 } // namespace KODO_PRECISION
 } // namespace kodo

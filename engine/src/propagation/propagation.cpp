@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "impacts/departure.hpp"
 #include "impacts/impact_solver.hpp"
 #include "lanes/leverage.hpp"
 #include "propagation/stride_order.hpp"
@@ -190,20 +191,24 @@ void Propagation::resolveCollisions(Bodies& bodies, ContactStore& store, const S
     }
 }
 
-/// Makes rows for contacts that may touch. A contact with restitution gets none before it touches:
-/// braking would reduce its rebound.
-void Propagation::makeRows(const Bodies& bodies, ContactStore& store, const Step& step) {
+/// Makes rows for contacts that may touch. A contact with restitution gets none before it touches,
+/// or between two impacts: braking would reduce its rebound.
+void Propagation::makeRows(const Bodies& bodies, ContactStore& store, const Step& step, Real h) {
     const std::span<const Contact> contacts = store.contacts();
     rows_.clear();
     reserveReusing(rows_, contacts.size());
     fillByIsland(rows_, rowEnds_, [&](std::uint32_t k) {
         const Contact& contact = contacts[k];
         const ContactLane lane = store.lane(k);
-        const bool touches = lane.separation(0) <= step.tolerances.slop;
+        const Real slop = step.tolerances.slop;
+        const bool waits =
+            bounces(contact, step.settings) &&
+            (lane.separation(0) > slop ||
+             departureOf(bodies, store, k, true, slop, h) == Departure::BetweenImpacts);
         for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
             lane.separation(i) = gaps_[k][i];
         }
-        if (touches || !bounces(contact, step.settings)) {
+        if (!waits) {
             addRow(bodies, contact, k, step.settings);
         }
     });
@@ -365,7 +370,7 @@ void Propagation::solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints
         integrateVelocities(bodies, bodies.awake, h);
         pass.biased = true;
         joints.warmStart(bodies, pass);
-        makeRows(bodies, store, step);
+        makeRows(bodies, store, step, h);
         resolveContacts(bodies, joints, pass, settings);
         if (settings.shockPasses > 0) {
             findLevels(bodies);

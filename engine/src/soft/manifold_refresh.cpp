@@ -31,14 +31,6 @@ Real wayOf(const Bodies& bodies, const ContactSummary& summary, Real h) {
                 std::abs(b.angularVelocity) * bodies.extent[summary.bodyB].rotationReach);
 }
 
-/// True if the manifold of a contact may get a further point. That with a disc has one.
-bool mayGainPoint(const Bodies& bodies, const Contact& contact) {
-    const auto& [bodyA, partA, bodyB, partB] = contact.key;
-    return contact.manifold.count == 0 ||
-           (contact.manifold.count == 1 && !bodies.convex(bodyA, partA).isRound() &&
-            !bodies.convex(bodyB, partB).isRound());
-}
-
 /// A body at its present pose, until the end of the scope.
 class Moved {
 public:

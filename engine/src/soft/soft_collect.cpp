@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "impacts/departure.hpp"
 #include "soft/soft_solver.hpp"
 
 namespace kodo {
@@ -25,28 +26,6 @@ std::uint32_t hashOf(std::uint32_t rankA, std::uint32_t rankB) {
 [[maybe_unused]] bool mayBeKept(const Contact& contact, const ContactSummary& summary) {
     return contact.filled && contact.responds() && summary.inPasses() &&
            summary.row.colour != ContactRow::kNoColour;
-}
-
-/// True for a contact with an impact in this step after which its points separate, and stay apart
-/// until the end of the step although the forces press them together.
-bool isLeaving(const Bodies& bodies, const Contact& contact, const ContactLane& lane, Real dt) {
-    if (!(lane.impacts() > 0)) {
-        return false;
-    }
-    const std::uint32_t a = contact.key.bodyA;
-    const std::uint32_t b = contact.key.bodyB;
-    const Vec2 n = contact.manifold.normal;
-    const Real pressing =
-        dot(n, bodies.acceleration[a].linear - bodies.acceleration[b].linear) * dt / 2;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
-        const ManifoldPoint& p = contact.manifold.points[i];
-        const Vec2 apart =
-            velocityAt(bodies.motion[b], p.armB) - velocityAt(bodies.motion[a], p.armA);
-        if (dot(n, apart) < std::max(pressing, Real(0))) {
-            return false;
-        }
-    }
-    return true;
 }
 
 } // namespace
@@ -98,6 +77,9 @@ void SoftSolver::beginCollecting(const Bodies& bodies, ContactSet& contactSet,
     blocks.begin(contactSet.store().all(), step.settings.has(Feature::Friction),
                  step.settings.has(Feature::RollingResistance));
     clearMarks(bodies, joints);
+    if (contactSet.mayBounce()) {
+        contactSet.store().lists(); // built here, read on any thread
+    }
     newcomers_.clear();
 }
 
@@ -135,7 +117,8 @@ void SoftSolver::collectPiece(const Collecting& run, std::span<const std::uint32
     PrefetchList<kNewcomersPerPiece> visited;
     for (const std::uint32_t place : places) {
         const ContactSummary& summary = summaryOf[place];
-        if (keeps && summary.kept && needsRow(bodies, store, place, restitution, slop)) {
+        const bool bounces = summary.bounces && restitution; // it may be between two impacts
+        if (keeps && summary.kept && !bounces && needsRow(bodies, store, place, false, slop)) {
             KODO_ASSERT(mayBeKept(contacts[place], summary));
             blocks.keep(summary.row.index);
             markExposure(run, place, false);
@@ -144,13 +127,19 @@ void SoftSolver::collectPiece(const Collecting& run, std::span<const std::uint32
         }
     }
     visitPrefetched<3>(visited.list(), contacts, [&](std::uint32_t place) {
-        if (needsRow(bodies, store, place, restitution, slop) && contacts[place].responds()) {
-            takeNewcomer(bodies, contactSet, place, friction, newcomers);
-            markExposure(run, place,
-                         isLeaving(bodies, contacts[place], store.lane(place), step.dt));
-        } else {
+        if (!needsRow(bodies, store, place, restitution, slop) || !contacts[place].responds()) {
             store.leavePasses(place, bodies);
+            return;
         }
+        const Departure departure = departureOf(
+            bodies, store, place, restitution && contacts[place].bounces, slop, step.dt);
+        if (departure == Departure::BetweenImpacts) {
+            store.leavePasses(place, bodies);
+            store.lane(place).clearImpulses();
+        } else {
+            takeNewcomer(bodies, contactSet, place, friction, newcomers);
+        }
+        markExposure(run, place, departure != Departure::None);
     });
 }
 
