@@ -44,7 +44,7 @@ public:
         motion.deltaAngle = turn;
         angle_ += turn;
         place(bodies_.pose[1].position + move, angle_);
-        return followContact(contact, lane, bodies_, kScale, false);
+        return followContact(contact, lane, bodies_, kScale, Real(1) / 60, false);
     }
 
     Contact contact;

@@ -2,6 +2,9 @@
 #include <support/draws.hpp>
 #include <support/scenes.hpp>
 
+#include <algorithm>
+#include <vector>
+
 namespace kodo {
 namespace {
 
@@ -87,10 +90,15 @@ TEST(ElasticGas, InAFloatingBoxConservesMomentaAndEnergy) {
     }
 }
 
-// A collapsing swarm in free space conserves momentum, angular momentum and energy to rounding.
-TEST(ElasticGas, InFreeSpaceConservesMomentaAndEnergy) {
-    constexpr std::uint64_t kSeed = 162;
-    support::RandomNumbers random(kSeed);
+/// Changes of the totals of a collapsing swarm in free space.
+struct Drift {
+    long double momentum; // kg m/s
+    long double spin;     // kg m^2/s
+    long double kinetic;  // share
+};
+
+Drift driftOfSwarm(std::uint64_t seed) {
+    support::RandomNumbers random(seed);
     World world;
     for (int i = 0; i < 64; ++i) {
         const Vec2 place{static_cast<Real>(i % 8) * 2 - 7, static_cast<Real>(i / 8) * 2 - 7};
@@ -105,17 +113,31 @@ TEST(ElasticGas, InFreeSpaceConservesMomentaAndEnergy) {
         hits += world.collisions().size();
     }
     const support::Totals after = support::totalsOf(world);
-    EXPECT_GT(hits, 100u) << "seed " << kSeed;
+    EXPECT_GT(hits, 100u) << "seed " << seed;
+    return {length(after.momentum - before.momentum), std::abs(after.spin - before.spin),
+            std::abs(after.kinetic / before.kinetic - 1)};
+}
+
+// A collapsing swarm in free space conserves momentum, angular momentum and energy to rounding. Of
+// the angular momentum the median of 21 swarms counts: in one of ten, one event of three balls
+// makes more than half of the drift.
+TEST(ElasticGas, InFreeSpaceConservesMomentaAndEnergy) {
     using support::byPrecision;
-    // Some hundred impacts, each rounding momenta of about 5 kg m/s.
-    EXPECT_TRUE(support::near(after.momentum, before.momentum, byPrecision(1e-4, 1e-12)));
+    std::vector<long double> spins;
+    for (std::uint64_t seed = 162; seed < 183; ++seed) {
+        const Drift drift = driftOfSwarm(seed);
+        // Some hundred impacts, each rounding momenta of about 5 kg m/s.
+        EXPECT_LT(drift.momentum, byPrecision(1e-4, 1e-12)) << "seed " << seed;
+        EXPECT_LT(drift.kinetic, byPrecision(1e-4, 1e-9)) << "seed " << seed;
+        spins.push_back(drift.spin);
+    }
     // Lever arms of about 20 m. Repeated impacts of nearby balls use the current normal. A normal
     // from 3 cm earlier would change the angular momentum by up to 0.1 kg m^2/s per impact of 5 N
     // s.
     // A ball that meets a third one within the step of its impact gets that impulse along the
     // normal of the start of the step: here some 0.2 N s across some 4 mm.
-    EXPECT_TRUE(support::near(after.spin, before.spin, byPrecision(5e-3, 8e-4)));
-    EXPECT_TRUE(support::nearShare(after.kinetic, before.kinetic, byPrecision(1e-4, 1e-9)));
+    std::nth_element(spins.begin(), spins.begin() + 10, spins.end());
+    EXPECT_LT(spins[10], byPrecision(3e-3, 8e-4));
 }
 
 } // namespace

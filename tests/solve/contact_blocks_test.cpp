@@ -230,9 +230,11 @@ TEST(ContactBlocks, AdvanceContactsWithTheBitsOfSingleUpdates) {
             ContactBlock block{};
             const ContactLane lane(block);
             lane = before[k];
-            const bool stays = followContact(alone, lane, crowd.bodies, tolerances, false);
+            const bool stays =
+                followContact(alone, lane, crowd.bodies, tolerances, Real(1) / 60, false);
             Contact together = crowd.contacts[k];
-            ASSERT_EQ(followContact(together, crowd.lane(k), crowd.bodies, tolerances, true),
+            ASSERT_EQ(followContact(together, crowd.lane(k), crowd.bodies, tolerances, Real(1) / 60,
+                                    true),
                       stays);
             ASSERT_EQ(crowd.lane(k).relativeDisplacement(), lane.relativeDisplacement());
             outdated += stays ? 0 : 1;

@@ -16,6 +16,10 @@ inline namespace KODO_PRECISION {
 inline std::array<Real, 2> separationsOf(const Manifold& manifold) {
     return {manifold.points[0].separation, manifold.points[1].separation};
 }
+/// The least of the separations of `count` points.
+inline Real leastOf(const std::array<Real, 2>& separations, int count) {
+    return separations[count == 2 && separations[1] < separations[0] ? 1 : 0];
+}
 
 /// Lever arm (m) of an impulse along a unit normal at the end of an arm. > 0: the impulse rotates
 /// counter-clockwise. A lever within rounding of the arm is 0, so that an impulse through the

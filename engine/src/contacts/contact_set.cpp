@@ -21,7 +21,7 @@ void ContactSet::forgetUnsound(const Bodies& bodies, const Tolerances& tolerance
             store_.leavePasses(slot, bodies);
             const ContactLane lane = store_.lane(slot);
             clearContact(contact, lane);
-            followContact(contact, lane, bodies, tolerances, false);
+            followContact(contact, lane, bodies, tolerances, dt, false);
             findContact(contact, lane, bodies, tolerances, dt);
             kodo::measureApproach(contact, lane, bodies);
             manifoldChanged(slot);

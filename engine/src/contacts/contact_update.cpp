@@ -5,6 +5,7 @@
 
 #include "bodies/part_filter.hpp"
 #include "collide/one_sided.hpp"
+#include "collide/time_of_impact.hpp"
 #include "contacts/line_side.hpp"
 
 #include <algorithm>
@@ -105,6 +106,9 @@ constexpr Real kKept = 8;
 // before it has passed to the other side. And for lines: a point must not pass their ends.
 constexpr Real kKeptToBounce = Real(1) / 8;
 constexpr Real kKeptIfThin = 1;
+// Slops of distance at which the paths of two bodies count as touching. Positions in float resolve
+// it up to 128 m from the origin.
+constexpr Real kTouches = Real(1) / 256;
 
 /// Adds the relative displacement of the last step.
 void addDisplacement(const Bodies& bodies, const Contact& contact, const ContactLane& lane) {
@@ -204,6 +208,17 @@ void beginStep(Contact& contact, const ContactLane& lane) {
     lane.clearStep();
 }
 
+/// Largest approach speed (m/s) of the points of a manifold; at least 0.
+Real approachOf(const Manifold& manifold, const BodyVelocity& a, const BodyVelocity& b) {
+    Real most = 0;
+    for (int i = 0; i < manifold.count; ++i) {
+        const ManifoldPoint& p = manifold.points[static_cast<std::size_t>(i)];
+        const Vec2 relative = velocityAt(b, p.armB) - velocityAt(a, p.armA);
+        most = std::max(most, -dot(manifold.normal, relative));
+    }
+    return most;
+}
+
 /// Distance (m) along one-sided lines within which the pair may come in this step.
 Real reachOf(const Bodies& bodies, const ContactKey& key, Real dt) {
     constexpr Real kMore = Real(1.25); // the pair may accelerate
@@ -244,12 +259,17 @@ void findContact(Contact& contact, const ContactLane& lane, const Bodies& bodies
     const auto [thinner, thicker] = std::minmax(bodies.convex(key.bodyA, key.partA).coreRadius,
                                                 bodies.convex(key.bodyB, key.partB).coreRadius);
     removePassingPoints(manifold, contact, bodies, tolerances, dt);
+    const bool passes = removePassing(manifold, contact, bodies, {bodies.pose[key.bodyA], poseB},
+                                      tolerances.slop, dt);
     replaceManifold(contact, lane, manifold,
                     std::min(kSamePlace * tolerances.slop, kSameShare * thinner));
     const bool ofLine = bodies.convex(key.bodyA, key.partA).isLine() ||
                         bodies.convex(key.bodyB, key.partB).isLine();
     lane.relativeDisplacement() =
         thicker < tolerances.slop || ofLine ? (kKept - kKeptIfThin) * tolerances.slop : 0;
+    if (passes) {
+        lane.expire();
+    }
     contact.teleportCounts[0] = bodies.teleportCount[key.bodyA];
     contact.teleportCounts[1] = bodies.teleportCount[key.bodyB];
 }
@@ -262,15 +282,8 @@ bool mayGainPoint(const Bodies& bodies, const Contact& contact) {
 }
 
 void measureApproach(const Contact& contact, const ContactLane& lane, const Bodies& bodies) {
-    const BodyVelocity& a = bodies.motion[contact.key.bodyA];
-    const BodyVelocity& b = bodies.motion[contact.key.bodyB];
-    lane.approachSpeed() = 0;
-    for (int i = 0; i < contact.manifold.count; ++i) {
-        const ManifoldPoint& p = contact.manifold.points[static_cast<std::size_t>(i)];
-        const Vec2 relative = velocityAt(b, p.armB) - velocityAt(a, p.armA);
-        lane.approachSpeed() =
-            std::max(lane.approachSpeed(), -dot(contact.manifold.normal, relative));
-    }
+    lane.approachSpeed() = approachOf(contact.manifold, bodies.motion[contact.key.bodyA],
+                                      bodies.motion[contact.key.bodyB]);
 }
 
 void describeContact(Contact& contact, const Bodies& bodies) {
@@ -284,6 +297,35 @@ void describeContact(Contact& contact, const Bodies& bodies) {
     contact.bounces = contact.material.restitution > 0;
 }
 
+bool removePassing(Manifold& manifold, const Contact& contact, const Bodies& bodies,
+                   const std::array<Transform, 2>& poses, Real slop, Real dt) {
+    const auto& [bodyA, partA, bodyB, partB] = contact.key;
+    const ConvexShape& shapeA = bodies.convex(bodyA, partA);
+    const ConvexShape& shapeB = bodies.convex(bodyB, partB);
+    const BodyVelocity& a = bodies.motion[bodyA];
+    const BodyVelocity& b = bodies.motion[bodyB];
+    const Real gap = leastOf(separationsOf(manifold), manifold.count);
+    const Real speed = approachOf(manifold, a, b);
+    // A line has no interior: its contact alone keeps a body on its side.
+    if (contact.sensor || shapeA.isLine() || shapeB.isLine() || !arrives(gap, speed, slop, dt)) {
+        return false;
+    }
+    // On a parabola s - v t + c t^2, a touch comes by 2 s / v if at all.
+    const Real time = std::max(kActs * dt, gap > slop ? Real(0) : 2 * gap / speed);
+    const auto pathOf = [&](const Transform& pose, const BodyVelocity& motion) {
+        return MotionPath{pose, time * motion.velocity, time * motion.angularVelocity};
+    };
+    const MotionPath pathA = pathOf(poses[0], a);
+    const MotionPath pathB = pathOf(poses[1], b);
+    const Real target = kTouches * slop;
+    if (separation(shapeA, pathA.at(1), shapeB, pathB.at(1)).distance > target && // cheaper
+        timeOfImpact(shapeA, pathA, shapeB, pathB, target) >= 1) {
+        manifold = apart(gap);
+        return true;
+    }
+    return false;
+}
+
 bool isKnown(const Bodies& bodies, const Contact& contact) {
     return contact.teleportCounts[0] == bodies.teleportCount[contact.key.bodyA] &&
            contact.teleportCounts[1] == bodies.teleportCount[contact.key.bodyB];
@@ -294,7 +336,7 @@ bool isOutdated(Real relativeDisplacement, bool bounces, const Tolerances& toler
 }
 
 bool followContact(Contact& contact, const ContactLane& lane, const Bodies& bodies,
-                   const Tolerances& tolerances, bool inPasses) {
+                   const Tolerances& tolerances, Real dt, bool inPasses) {
     beginStep(contact, lane);
     contact.near = true;
     contact.centerA = bodies.pose[contact.key.bodyA].position;
@@ -302,8 +344,11 @@ bool followContact(Contact& contact, const ContactLane& lane, const Bodies& bodi
         advanceContact(bodies, contact, lane);
     }
     const bool known = isKnown(bodies, contact);
-    contact.filled = contact.filled && known &&
-                     !isOutdated(lane.relativeDisplacement(), contact.bounces, tolerances);
+    contact.filled =
+        contact.filled && known &&
+        !isOutdated(lane.relativeDisplacement(), contact.bounces, tolerances) &&
+        !arrives(leastOf({lane.separation(0), lane.separation(1)}, contact.manifold.count),
+                 lane.approachSpeed(), tolerances.slop, dt);
     return contact.filled || (known && staysApart(contact, lane, tolerances));
 }
 

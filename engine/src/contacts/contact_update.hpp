@@ -5,6 +5,9 @@
 
 #include "bodies/bodies.hpp"
 
+#include <algorithm>
+#include <array>
+
 #include "lanes/contact_lane.hpp"
 
 namespace kodo {
@@ -15,12 +18,12 @@ void describeContact(Contact& contact, const Bodies& bodies);
 /// The same for a contact that was read. Throws BadSnapshot if its bodies or parts do not exist.
 void completeContact(Contact& contact, const Bodies& bodies);
 
-/// Begins a step for two parts near each other with the manifold of the last step; BodyVelocity
-/// still holds the displacements of that step. False if the manifold is outdated and must be found
-/// again. If it is kept, the approach speed is measured too, with the same levers. `inPasses`: both
-/// was done by ContactBlocks::advance.
+/// Begins a step of dt (s) for two parts near each other with the manifold of the last step;
+/// BodyVelocity still holds the displacements of that step. False if the manifold is outdated and
+/// must be found again. If it is kept, the approach speed is measured too, with the same levers.
+/// `inPasses`: both was done by ContactBlocks::advance.
 bool followContact(Contact& contact, const ContactLane& lane, const Bodies& bodies,
-                   const Tolerances& tolerances, bool inPasses);
+                   const Tolerances& tolerances, Real dt, bool inPasses);
 
 /// False if a body was teleported: the relative displacement is then meaningless.
 bool isKnown(const Bodies& bodies, const Contact& contact);
@@ -42,6 +45,24 @@ bool mayGainPoint(const Bodies& bodies, const Contact& contact);
 /// its contact, such a part could pass the next line within the step.
 void removePassingPoints(Manifold& manifold, const Contact& contact, const Bodies& bodies,
                          const Tolerances& tolerances, Real dt);
+
+/// Steps within which a row may act: the relax pass looks one substep beyond the step.
+constexpr Real kActs = Real(1.5);
+
+/// True for parts that are apart (m) and at this speed (m/s) touch while a row acts in a step of dt
+/// (s), or are within the slop, as far as their manifold tells. It predicts along its tangent, so
+/// it must be new then.
+inline bool arrives(Real separation, Real approachSpeed, Real slop, Real dt) {
+    constexpr Real kLeastWay = Real(1) / 256; // slops
+    const Real way = kActs * dt * approachSpeed;
+    return way > kLeastWay * slop && separation > 0 && separation < std::max(way, slop);
+}
+
+/// Removes a manifold that predicts a touch although its bodies, from these poses at their
+/// velocities, pass each other: beyond a corner or on a disc, its tangent goes on. True if so; the
+/// lane of the contact must then expire.
+bool removePassing(Manifold& manifold, const Contact& contact, const Bodies& bodies,
+                   const std::array<Transform, 2>& poses, Real slop, Real dt);
 
 /// Sets the approach speed (m/s) from the current velocities, for the record and the impacts.
 void measureApproach(const Contact& contact, const ContactLane& lane, const Bodies& bodies);

@@ -46,7 +46,7 @@ public:
                 prefetchFor(summaries[i + kSummariesAhead]);
             }
             const auto slot = static_cast<std::uint32_t>(i);
-            if (staysKept(summaries[i])) {
+            if (staysKept(slot, summaries[i])) {
                 fastest = std::max(fastest, store.approachSpeed(slot));
             } else {
                 visited.add(slot, !summaries[i].idle || boundsMeet(i));
@@ -69,9 +69,12 @@ private:
         }
     }
     /// True if the lane has all of the contact, and its manifold stays valid.
-    bool staysKept(const ContactSummary& summary) const {
-        return summary.kept && !isOutdated(lanes.relativeDisplacement(summary.row.index),
-                                           summary.bounces, tolerances);
+    bool staysKept(std::uint32_t slot, const ContactSummary& summary) const {
+        return summary.kept &&
+               !isOutdated(lanes.relativeDisplacement(summary.row.index), summary.bounces,
+                           tolerances) &&
+               !arrives(lanes.leastSeparation(summary.row.index), store.approachSpeed(slot),
+                        tolerances.slop, dt);
     }
     /// True if the tight bounds of both parts overlap when one is grown by the margin.
     bool boundsMeet(std::size_t slot) const {
@@ -86,7 +89,7 @@ private:
         const ContactLane lane = store.lane(slot);
         summary.kept = false;
         if (contact.filled || boundsMeet(slot)) {
-            if (!followContact(contact, lane, bodies, tolerances, summary.inPasses())) {
+            if (!followContact(contact, lane, bodies, tolerances, dt, summary.inPasses())) {
                 findContact(contact, lane, bodies, tolerances, dt);
             }
             if (!contact.filled) {

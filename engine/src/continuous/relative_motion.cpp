@@ -61,11 +61,8 @@ Real relativeMotion(const Bodies& bodies, const MovingBody& movingA, const Movin
 Real gapOf(const Bodies& bodies, const ContactSet& contactSet, std::uint32_t slot,
            const Tolerances& tolerances) {
     const ContactStore& store = contactSet.store();
-    if (!store.summaries()[slot].mayTouch) {
-        return tolerances.margin;
-    }
     if (!store.expired(slot)) {
-        return store.separation(slot);
+        return store.summaries()[slot].mayTouch ? store.separation(slot) : tolerances.margin;
     }
     const auto& [bodyA, partA, bodyB, partB] = contactSet.contacts()[slot].key;
     return separation(bodies.convex(bodyA, partA), bodies.pose[bodyA], bodies.convex(bodyB, partB),

@@ -190,7 +190,8 @@ Real AxisConstraint::missing(const BodyVelocity& a, const BodyVelocity& b, Real 
     if (!(k > 0)) {
         return 0; // both bodies are immovable, or the other constraint leaves no motion free
     }
-    const Real wanted = impulse - soft.massScale * now / k - soft.impulseScale * (impulse - borne);
+    const Real yielding = impulse - std::min(borne, std::max(impulse, Real(0)));
+    const Real wanted = impulse - soft.massScale * now / k - soft.impulseScale * yielding;
     return std::clamp(wanted, bounds.lower, bounds.upper) - impulse;
 }
 

@@ -29,6 +29,7 @@ struct BlockBins {
         return colour < kFreeColours ? colour : colour + 1;
     }
     static constexpr std::uint32_t groupOf(std::uint32_t bin) { return bin % kLevelBins / 2; }
+    static constexpr int pointsOf(std::uint32_t bin) { return bin % 2 == 0 ? 1 : 2; }
     static constexpr std::uint32_t levelOf(std::uint32_t bin) { return bin / kLevelBins; }
     /// Parts into which a substep of these blocks is divided.
     static constexpr Real partsOf(std::uint32_t bin) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "collide/manifold.hpp"
+
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -124,6 +126,12 @@ public:
     bool expired(std::uint32_t slot, const ContactSummary& summary) const {
         return homeOf(slot, summary).relativeDisplacement[homeLane(slot, summary)] >=
                ContactLane::kExpired;
+    }
+    /// m, of all points; of a contact in the passes.
+    Real leastSeparation(std::uint32_t row) const {
+        const auto& points = blocks_[blockOf(row)].points;
+        return leastOf({points[0].separation[laneOf(row)], points[1].separation[laneOf(row)]},
+                       BlockBins::pointsOf(states_[blockOf(row)].bin));
     }
     /// m; of a contact in the passes.
     const Real& relativeDisplacement(std::uint32_t row) const {

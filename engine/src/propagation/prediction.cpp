@@ -4,6 +4,7 @@
 #include <kodo/geometry.hpp>
 
 #include "collide/one_sided.hpp"
+#include "contacts/contact_update.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -59,6 +60,7 @@ public:
     Way(Contact& contact, const ContactLane& lane, const Bodies& bodies,
         const Prediction& prediction)
         : bodies_(bodies),
+          h_(prediction.h),
           contact_(contact),
           lane_(lane),
           tolerances_(prediction.tolerances),
@@ -122,11 +124,15 @@ private:
         contact_.centerA = a.position;
         contact_.manifold =
             collide(convexA(), a, convexB(), b, tolerances_.margin, tolerances_.slop / 8);
+        if (removePassing(contact_.manifold, contact_, bodies_, {a, b}, tolerances_.slop, h_)) {
+            lane_.expire();
+        }
         contact_.passing = letPass(contact_.passing, contact_.manifold);
         lane_.setSeparations(contact_.manifold);
     }
 
     const Bodies& bodies_;
+    Real h_; // s
     Contact& contact_;
     const ContactLane& lane_;
     const Tolerances& tolerances_;

@@ -138,8 +138,7 @@ void ManifoldRefresh::find(const Step& step, std::uint32_t slot) {
     findContact(contact, lane, bodies, wider, dt);
     const Real core = std::min(bodies.extent[entry.summary.bodyA].coreRadius,
                                bodies.extent[entry.summary.bodyB].coreRadius);
-    const std::array<Real, 2> found = separationsOf(contact.manifold);
-    const Real deepest = found[contact.manifold.count == 2 && found[1] < found[0] ? 1 : 0];
+    const Real deepest = leastOf(separationsOf(contact.manifold), contact.manifold.count);
     const bool passed =
         old.manifold.count > 0 &&
         (deepest < -kDeepest * core || dot(contact.manifold.normal, old.manifold.normal) < 0);

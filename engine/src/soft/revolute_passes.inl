@@ -191,7 +191,7 @@ KODO_LANES_INLINE Lanes limitImpulse(const RevolutePassArguments& pass, Lanes im
     } else {
         speed += apart ? room * all(1 / pass.h) : Lanes{};
     }
-    const Lanes borne = larger(Lanes{}, pushed);
+    const Lanes borne = smaller(impulse, larger(Lanes{}, pushed));
     return larger(Lanes{}, (borne + kept * (impulse - borne)) - mass * speed);
 }
 
