@@ -103,7 +103,7 @@ kodo::Manifold onPlate(Real degrees, Real depth, Transform& pose) {
 std::string drawPlate(Real degrees, Real depth) {
     Transform pose;
     const kodo::Manifold manifold = onPlate(degrees, depth, pose);
-    kodo::SvgDraw picture({{Real(-0.9), Real(-0.4)}, {Real(0.9), Real(1.3)}}, 320);
+    kodo::SvgDraw picture({{Real(-1), Real(-0.7)}, {Real(1), Real(1.4)}}, 320);
     draw(convexFor(Box{8, kPlate}), {}, picture, {.line = {150, 160, 175}, .fill = {80, 90, 105}});
     draw(convexFor(Box{1, 1}), pose, picture,
          {.line = {120, 190, 255}, .fill = {60, 110, 180, 110}});

@@ -97,11 +97,12 @@ void addShock(std::vector<Experiment>& book, Extent extent) {
     const std::string what =
         "tower of twelve after " + std::to_string(static_cast<int>(seconds)) + " s: ";
     one.add(what + "deepest overlap", "2 passes, shock off", off.overlap, "m")
-        .atLeast(3 * on.overlap, "three times that with shock passes, or more");
+        .atLeast(0.05, "seen with bare eyes: 5 % of a box");
     one.add(what + "deepest overlap", "2 passes, shock on", on.overlap, "m")
         .atMost(0.01, "1 % of a box");
     one.add(what + "deepest overlap", "balanced()", soft.overlap, "m").atMost(0.01, "likewise");
-    one.add(what + "a box is off its place by", "2 passes, shock off", off.off, "m");
+    one.add(what + "a box is off its place by", "2 passes, shock off", off.off, "m")
+        .atLeast(1, "it falls: a box is off by its own size");
     one.add(what + "a box is off its place by", "2 passes, shock on", on.off, "m")
         .atMost(0.25, "it stands");
     one.add(what + "a box is off its place by", "balanced()", soft.off, "m")
@@ -165,19 +166,23 @@ void addIterations(std::vector<Experiment>& book, Extent extent) {
     }
     one.add(what, "balanced()", overlapWith(profiles()[1].settings), "m")
         .atMost(0.01, "1 % of a box");
-    Chart heights{"Deepest overlap in a tower, over its height", "boxes", "overlap (m)"};
-    heights.curves = {{"2 passes, shock off", {}}, {"thesis2006()", {}}, {"balanced()", {}}};
-    for (const int count : {2, 4, 8, 12}) {
-        const std::array<kodo::StepSettings, 3> ways{passes(2, 2, 0), profiles()[0].settings,
+    Chart heights{"Deepest overlap in a tower after 1 s, over its height", "boxes", "overlap (m)"};
+    heights.curves = {{"10 passes, shock off", {}}, {"thesis2006()", {}}, {"balanced()", {}}};
+    for (const int count : {2, 4, 8, 12, 16}) {
+        const std::array<kodo::StepSettings, 3> ways{passes(10, 10, 0), profiles()[0].settings,
                                                      profiles()[1].settings};
         for (std::size_t i = 0; i < ways.size(); ++i) {
             heights.curves[i].points.push_back(
-                {static_cast<double>(count), Tower(ways[i], count, 2).overlap});
+                {static_cast<double>(count), Tower(ways[i], count, 1).overlap});
         }
     }
-    const auto& low = heights.curves[0].points;
-    one.add("deepest overlap in a tower of twelve", "2 passes, shock off", low.back()[1], "m")
-        .atLeast(2 * low.front()[1], "larger stacks sink more: twice that of two boxes, or more");
+    const auto& plain = heights.curves[0].points;
+    for (std::size_t i = 1; i < plain.size(); ++i) {
+        one.add("overlap in a tower of " + std::to_string(static_cast<int>(plain[i][0])) +
+                    " after 1 s",
+                "10 passes, shock off", plain[i][1], "m")
+            .atLeast(plain[i - 1][1], "more than in the lower tower");
+    }
     one.charts = {chart, heights};
     book.push_back(one);
 }
@@ -217,7 +222,7 @@ void addOrder(std::vector<Experiment>& book, Extent extent) {
         one.add("mean drift of a symmetric pyramid to the right", profile.name,
                 drift / static_cast<double>(boxes.size()), "m")
             .near(0, 0.02, "no side is preferred; 2 % of a box");
-        one.pictures.push_back({profile.name, kodo::svg(world)});
+        one.pictures.push_back({profile.name, kodo::svg(world, {}, kodo::Aabb{{-7, -1}, {7, 11}})});
     }
     book.push_back(one);
 }

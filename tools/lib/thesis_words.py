@@ -87,7 +87,7 @@ SECTIONS = (
     Section(
         "iterations", "Iterations against overlap", "appendix A",
         "Overlap grows with load and with the size of a stack. More iterations counter it.",
-        "A pyramid with 2 to 80 passes, and towers of 2 to 12 boxes: the second lesson of"
+        "A pyramid with 2 to 80 passes, and towers of 2 to 16 boxes: the second lesson of"
         " Destructoooor!.", ("A.1",)),
     Section(
         "stacks", "Get stacking to work", "chapters 4.3 and 6",

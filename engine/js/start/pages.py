@@ -201,6 +201,10 @@ def main():
         entries.append(f'<li><a href="{name}.html">{html.escape(re.sub("[`*]", "", title))}</a></li>')
     witness(folder)
     entries.append('<li><a href="witness.html">Kodo beside Box2D 2.4.1, scene by scene</a></li>')
+    redone = ROOT / "build/thesis/index.html"
+    if redone.exists():  # tools/thesis has made it
+        shutil.copy(redone, folder / "thesis-redone.html")
+        entries.append('<li><a href="thesis-redone.html">The thesis, redone by Kodo</a></li>')
     body = '<nav><a href="../">Kodo</a></nav>\n<h1>Pages</h1>\n<ul>' + "\n".join(entries) + "</ul>"
     (folder / "index.html").write_text(frame("Pages", body), encoding="utf-8")
 
