@@ -118,8 +118,7 @@ void GhostCollisions::hideBehind(const HidingStep& step, std::uint32_t carrier,
     const Vec2 point = bodies.pose[carrying.body].position + carrying.arm;
     const Contact& contact = step.contact(slot);
     const Ground ground = groundOf(bodies, contact);
-    const bool sameWay =
-        contact.manifold.count > 0 && dot(ground.normal, carrying.normal) > Real(0.99999);
+    const bool sameWay = contact.manifold.count > 0 && isSameWay(ground.normal, carrying.normal);
     if (sameWay || ground.carried != carrying.carried || areChain(bodies, carrying, ground)) {
         return;
     }
@@ -135,7 +134,7 @@ void GhostCollisions::hideBehind(const HidingStep& step, std::uint32_t carrier,
         return;
     }
     if (isFlush || isUnder(tolerances.slop)) {
-        step.hide(slot);
+        step.hide(slot, bodies.locked(contact.key.bodyA) ? carrying.normal : -carrying.normal);
     }
 }
 

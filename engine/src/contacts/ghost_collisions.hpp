@@ -10,6 +10,11 @@
 namespace kodo {
 inline namespace KODO_PRECISION {
 
+/// True for normals of one flat surface.
+inline bool isSameWay(Vec2 a, Vec2 b) {
+    return dot(a, b) > Real(0.99999);
+}
+
 /// Suppresses ghost collisions with the internal edges of ground that consists of several pieces.
 ///
 /// A body that slides over two flush immovable pieces touches the side or a corner of the second.
@@ -17,7 +22,8 @@ inline namespace KODO_PRECISION {
 /// for the step. If the piece rises from the surface, even by less than a slop, a contact at its
 /// lowest vertex becomes one with the face that rises. A real step or wall keeps its contact. Only
 /// contacts of the same part are compared: another part, such as a fork around a wall, may be below
-/// the surface.
+/// the surface. A blow may turn the far end of a body into a hidden piece within the step:
+/// ContinuousCollision stops a pair that meets along the surface.
 class GhostCollisions {
 public:
     /// Sizes the array by body.

@@ -18,10 +18,12 @@ struct HidingStep {
     Real dt; // s
 
     const Contact& contact(std::uint32_t slot) const { return store.contacts()[slot]; }
-    /// Hides a contact in this step.
-    void hide(std::uint32_t slot) const {
-        store.change(slot, bodies).hidden = true;
-        store.summaries()[slot].idle = false;
+    /// Hides a contact in this step. `normal`: of the surface above the ground of the contact, as
+    /// in its manifold; zero if there is none.
+    void hide(std::uint32_t slot, Vec2 normal) const {
+        replace(slot, {.normal = normal, .points = {}});
+        store.contacts()[slot].hidden = true;
+        store.lane(slot).clearImpulses();
     }
     /// Replaces the manifold of a contact.
     void replace(std::uint32_t slot, const Manifold& manifold) const {

@@ -110,7 +110,7 @@ void OneWayBodies::hide(const HidingStep& step) const {
                        sidesOf(bodies, step.contact(other).key).otherPart != sides.otherPart;
             };
             if (std::any_of(own.begin(), own.end(), passes) || anyOtherBehind(bodies, sides)) {
-                step.hide(slot);
+                step.hide(slot, {});
             }
         }
     }

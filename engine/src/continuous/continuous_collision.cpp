@@ -37,7 +37,7 @@ constexpr Real kStopShort = sizeof(Real) == 4 ? Real(1) / 1024 : Real(1) / 65536
 std::optional<Real> stoppingGap(const Bodies& bodies, const Contact& contact, Real gap, Real motion,
                                 const StepSettings& settings, const Tolerances& tolerances) {
     const auto& [bodyA, partA, bodyB, partB] = contact.key;
-    if (contact.hidden || contact.passing) {
+    if (contact.passing) {
         return std::nullopt;
     }
     const ConvexShape& shapeA = bodies.convex(bodyA, partA);
@@ -52,7 +52,8 @@ std::optional<Real> stoppingGap(const Bodies& bodies, const Contact& contact, Re
     const bool againstLocked = bodies.locked(bodyA) || bodies.locked(bodyB);
     const bool far = motion > allowedApproach(shapeA.coreRadius, shapeB.coreRadius, againstLocked);
     if (gap > tolerances.slop) {
-        const bool bounces = contact.bounces && settings.has(Feature::Restitution);
+        const bool bounces =
+            contact.bounces && !contact.hidden && settings.has(Feature::Restitution);
         return bounces || far ? std::optional(near) : std::nullopt;
     }
     // Past the centres of both parts, contact points would separate them to the wrong side.
@@ -242,7 +243,10 @@ Real ContinuousCollision::motionOf(const Bodies& bodies, const Contact& contact)
         return MovingBody{body, bodies.convex(body, part).rotationReach(), stopAt_[body]};
     };
     const auto [bodyA, partA, bodyB, partB] = contact.key;
-    return relativeMotion(bodies, movingOf(bodyA, partA), movingOf(bodyB, partB));
+    const MovingBody a = movingOf(bodyA, partA);
+    const MovingBody b = movingOf(bodyB, partB);
+    return contact.hidden ? motionAgainst(bodies, contact.manifold.normal, a, b)
+                          : relativeMotion(bodies, a, b);
 }
 
 Real ContinuousCollision::impactTime(const Bodies& bodies, const Contact& contact, Real gap,
@@ -284,6 +288,9 @@ void ContinuousCollision::findTime(const Step& step, std::uint32_t i, Real from)
     // even if it separates.
     if (gap > step.tolerances.slop && time * motion <= step.tolerances.slop / 32) {
         time = timeFrom(0);
+    }
+    if (contact.hidden && time < 1 && !meetsSurface(step, contact, time)) {
+        time = 1;
     }
 }
 

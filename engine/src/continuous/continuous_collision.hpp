@@ -81,6 +81,7 @@ private:
     void stopInOrder(const Step& step);
     MotionPath pathOf(const Bodies& bodies, std::uint32_t body) const;
     Real motionOf(const Bodies& bodies, const Contact& contact) const;
+    bool meetsSurface(const Step& step, const Contact& contact, Real time) const;
     Real impactTime(const Bodies& bodies, const Contact& contact, Real gap, Real from) const;
     void noteLine(const Step& step, std::uint32_t contact);
     Real timeThroughLine(const Step& step, const Contact& contact, Real motion) const;

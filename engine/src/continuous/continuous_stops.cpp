@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
 // How the stop of one body changes the impacts of its neighbours.
+#include <kodo/geometry.hpp>
+
+#include "contacts/ghost_collisions.hpp"
+
 #include <algorithm>
 
 #include "continuous/continuous_collision.hpp"
@@ -59,6 +63,18 @@ void ContinuousCollision::cutShort(const Step& step, std::uint32_t body, Real ti
             }
         }
     });
+}
+
+/// True if a pair with a hidden contact meets along the surface above the hidden ground: then the
+/// body strikes that surface, as with the far end of a rod, and no internal edge.
+bool ContinuousCollision::meetsSurface(const Step& step, const Contact& contact, Real time) const {
+    const ContactKey& key = contact.key;
+    const Bodies& bodies = step.bodies;
+    const Manifold met =
+        collide(bodies.convex(key.bodyA, key.partA), pathOf(bodies, key.bodyA).at(time),
+                bodies.convex(key.bodyB, key.partB), pathOf(bodies, key.bodyB).at(time),
+                step.tolerances.margin, 0);
+    return met.count > 0 && isSameWay(met.normal, contact.manifold.normal);
 }
 
 } // namespace KODO_PRECISION

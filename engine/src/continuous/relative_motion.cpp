@@ -58,6 +58,17 @@ Real relativeMotion(const Bodies& bodies, const MovingBody& movingA, const Movin
            stopB * std::abs(b.deltaAngle) * rotationReachB;
 }
 
+Real motionAgainst(const Bodies& bodies, Vec2 normal, const MovingBody& movingA,
+                   const MovingBody& movingB) {
+    const auto& [bodyA, rotationReachA, stopA] = movingA;
+    const auto& [bodyB, rotationReachB, stopB] = movingB;
+    const BodyVelocity& a = bodies.motion[bodyA];
+    const BodyVelocity& b = bodies.motion[bodyB];
+    return dot(normal, stopA * a.deltaPosition - stopB * b.deltaPosition) +
+           stopA * std::abs(a.deltaAngle) * rotationReachA +
+           stopB * std::abs(b.deltaAngle) * rotationReachB;
+}
+
 Real gapOf(const Bodies& bodies, const ContactSet& contactSet, std::uint32_t slot,
            const Tolerances& tolerances) {
     const ContactStore& store = contactSet.store();

@@ -20,6 +20,10 @@ struct MovingBody {
 /// that move together.
 Real relativeMotion(const Bodies& bodies, const MovingBody& movingA, const MovingBody& movingB);
 
+/// Bound (m) of the motion of b towards a against `normal` (from A to B).
+Real motionAgainst(const Bodies& bodies, Vec2 normal, const MovingBody& movingA,
+                   const MovingBody& movingB);
+
 /// Separation (m) at the start of the step of a pair without a sensor.
 Real gapOf(const Bodies& bodies, const ContactSet& contactSet, std::uint32_t slot,
            const Tolerances& tolerances);

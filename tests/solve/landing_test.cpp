@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// One end of a long body lands on a piece of the ground; the blow turns the other end into another
+// piece within the same step.
+#include <kodo/world.hpp>
+#include <support/draws.hpp>
+#include <support/random_numbers.hpp>
+#include <support/scenes.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace kodo {
+namespace {
+
+using support::draws;
+using support::RandomNumbers;
+
+constexpr Real kHalf = 20; // m, of the width of the ground
+
+enum class Ground { Tiles, UnevenTiles, PartsOfABody, MovingTiles, Segments };
+
+/// Flush ground with its surface at height 0, from -kHalf to kHalf.
+void addGround(World& world, Ground kind) {
+    constexpr Real width = Real(0.5);
+    Compound parts;
+    int count = 0;
+    for (Real x = -kHalf; x < kHalf; ++count) {
+        const Real wide = kind == Ground::UnevenTiles ? width * Real(1 + count % 3) : width;
+        const Real high = kind == Ground::UnevenTiles ? Real(0.3 + 0.1 * (count % 4)) : width;
+        const Vec2 center{x + wide / 2, -high / 2};
+        if (kind == Ground::PartsOfABody) {
+            parts.parts.emplace_back(Box{wide, high, center});
+        } else if (kind == Ground::Segments) {
+            world.add({.shape = Segment{{x, 0}, {x + wide, 0}}, .type = BodyType::Static});
+        } else if (kind == Ground::MovingTiles) {
+            world.add({.shape = Box{wide, high},
+                       .position = center,
+                       .velocity = {1, 0},
+                       .type = BodyType::Kinematic});
+        } else {
+            world.add({.shape = Box{wide, high}, .position = center, .type = BodyType::Static});
+        }
+        x += wide;
+    }
+    if (!parts.parts.empty()) {
+        world.add({.shape = parts, .type = BodyType::Static});
+    }
+}
+
+/// Lowest height (m) of the centre of a body in two seconds, while it is over the ground.
+Real lowestOf(const BodyDef& def, Ground ground, const StepSettings& settings, Real rate) {
+    World world({.gravity = support::kEarth, .settings = settings});
+    addGround(world, ground);
+    const BodyId body = world.add(def);
+    Real lowest = 1;
+    for (int step = 0; step < static_cast<int>(2 * rate); ++step) {
+        world.step(1 / rate);
+        const Vec2 center = world[body].center();
+        if (std::abs(center.x) > kHalf - 3) {
+            break;
+        }
+        lowest = std::min(lowest, center.y);
+    }
+    return lowest;
+}
+
+Shape shapeOf(int kind, Real size) {
+    switch (kind) {
+    case 0:
+        return Box{3 * size, size / 100};
+    case 1:
+        return Box{3 * size, size / 10};
+    case 2:
+        return Box{2 * size, size / 2};
+    case 3:
+        return Capsule{{-size, 0}, {size, 0}, size / 5};
+    default:
+        return Polygon{{{-size, 0}, {size, 0}, {0, size}}};
+    }
+}
+
+// Of 60 throws of the thinnest rods, up to 39 passed the segments, up to 4 each other ground.
+TEST(Landing, TheFarEndDoesNotPassGroundOfPieces) {
+    for (const Ground ground : {Ground::Tiles, Ground::UnevenTiles, Ground::PartsOfABody,
+                                Ground::MovingTiles, Ground::Segments}) {
+        for (const StepSettings& settings : {balanced(), accurate()}) {
+            for (const Real rate : support::variants({Real(30), Real(60), Real(120)})) {
+                RandomNumbers random(11);
+                for (int i = 0; i < std::max(draws(50), 5); ++i) {
+                    BodyDef def;
+                    def.shape = shapeOf(i % 5, random.between(0.3, 1));
+                    def.position = {random.between(-2, 2), random.between(2, 8)};
+                    def.rotation = Rot::fromAngle(random.between(-3, 3));
+                    def.velocity = {random.between(-9, 9), random.between(-15, 0)};
+                    def.angularVelocity = random.between(-8, 8);
+                    def.material.staticFriction = def.material.kineticFriction =
+                        random.between(0, 1);
+                    // Soft contacts let a landing body enter by a few slops.
+                    EXPECT_GT(lowestOf(def, ground, settings, rate), Real(-0.05))
+                        << "ground " << static_cast<int>(ground) << ", " << rate << " Hz, throw "
+                        << i << ", solver " << settings.solver.index();
+                }
+            }
+        }
+    }
+}
+
+// A crate that slides over the seams at speed is not held up by what lies under its surface.
+TEST(Landing, SeamsTakeNoWayFromASlidingBody) {
+    for (const Ground ground : {Ground::Tiles, Ground::UnevenTiles, Ground::PartsOfABody}) {
+        for (const Real rate : {Real(30), Real(60), Real(240)}) {
+            for (const Real speed : {Real(3), Real(12)}) {
+                World world({.gravity = support::kEarth});
+                addGround(world, ground);
+                BodyDef crate{.shape = Box{1, Real(0.5)},
+                              .position = {-kHalf + 2, Real(0.25)},
+                              .velocity = {speed, 0}};
+                crate.material.staticFriction = crate.material.kineticFriction = 0;
+                const BodyId body = world.add(crate);
+                for (int step = 0; step < static_cast<int>(rate); ++step) {
+                    world.step(1 / rate);
+                }
+                EXPECT_NEAR(world[body].position().x, -kHalf + 2 + speed, Real(1e-3))
+                    << "ground " << static_cast<int>(ground) << ", " << rate << " Hz";
+            }
+        }
+    }
+}
+
+} // namespace
+} // namespace kodo
