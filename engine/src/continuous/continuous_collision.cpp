@@ -63,7 +63,11 @@ std::optional<Real> stoppingGap(const Bodies& bodies, const Contact& contact, Re
     if (deepest < near) { // once as near as that, the pair may slide, or part
         return holds || gap <= 2 * near ? std::nullopt : std::optional(near);
     }
-    return holds || gap < -deepest / 4 ? std::nullopt : std::optional(-deepest);
+    // Deeper pairs: the soft solver finds their manifolds again within the step.
+    const Real entered = gap < -deepest / 4 ? gap : Real(0);
+    const bool left = entered < 0 && (entered - deepest < -thickness ||
+                                      std::holds_alternative<SoftSettings>(settings.solver));
+    return holds || left ? std::nullopt : std::optional(entered - deepest);
 }
 
 /// True if a pair without a locked body may approach by more than `far` (m). The test needs no
@@ -112,12 +116,8 @@ bool closes(const Bodies& bodies, const ContactSet& contactSet, std::uint32_t sl
     if (motion < gap || (motion <= far && !summary.bounces)) {
         return false;
     }
-    // A line holds one end of a thin body at a corner, also far below, while the other end may turn
-    // through it.
-    const bool thin = extentA.coreRadius + extentB.coreRadius < tolerances.slop;
-    const bool mayBeThrough = motion > far &&
-                              motion >= (extentA.coreRadius + extentB.coreRadius) / 2 &&
-                              (thin || gap >= -tolerances.slop);
+    const bool mayBeThrough =
+        motion > far && motion >= (extentA.coreRadius + extentB.coreRadius) / 2;
     return (gap > tolerances.slop || mayBeThrough ||
             (summary.bounces && isUnheld(bodies, contactSet, slot, tolerances.slop))) &&
            mayMeet(bodies, bounds, summary, tolerances);
