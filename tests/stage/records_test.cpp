@@ -230,7 +230,7 @@ TEST(Results, OneOfAThingIsSingular) {
     EXPECT_TRUE(rig.picture().says("1 hit at most"));
 }
 
-TEST(Medals, TheResultAndTheLevelSelectShowThem) {
+TEST(Medals, TheResultAndTheMapShowThem) {
     StageDef def = StageRig::playing();
     const std::string name = def.levels[0]->name;
     def.marks = {{name, 0, {10, 20, 9999999}, 99, 7}};

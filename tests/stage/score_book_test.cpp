@@ -134,7 +134,7 @@ StageDef claiming(const Recorded& game, std::int32_t score,
 }
 
 // D12, on the screen: it says what a score is worth.
-TEST(ScoreBook, TheLevelSelectShowsNoTypedInScoreAsTheBestOne) {
+TEST(ScoreBook, TheMapShowsNoTypedInScoreAsTheBestOne) {
     const Recorded game;
     StageRig rig(claiming(game, 99999999, "no replay"));
     rig.clickItem(Action::Levels);
@@ -215,7 +215,7 @@ TEST(ScoreBook, AScoreThatItsReplayGivesIsSavedAtOnce) {
 }
 
 // Honours that were typed into the profile without a game, or with a score that no replay gives.
-TEST(ScoreBook, TheLevelSelectShowsNoHonoursOfAScoreWithoutProof) {
+TEST(ScoreBook, TheMapShowsNoHonoursOfAScoreWithoutProof) {
     const Recorded game;
     const auto footAfterChecks = [&](std::int32_t score,
                                      std::variant<ReplayRun, std::string> best) {

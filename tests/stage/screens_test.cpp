@@ -36,10 +36,10 @@ TEST(Screens, ALevelIsChosenByMouse) {
     StageRig rig(StageRig::twoLevels());
     rig.clickItem(Action::Levels);
     ASSERT_EQ(rig.stage.screen(), Screen::Levels);
-    rig.click(rig.stage.levelSelect().backPlace().center());
+    rig.click(rig.stage.levelMap().backPlace().center());
     ASSERT_EQ(rig.stage.screen(), Screen::Title);
     rig.clickItem(Action::Levels);
-    rig.click(rig.stage.levelSelect().tile(1).center());
+    rig.click(rig.stage.levelMap().tile(1).center());
     EXPECT_EQ(rig.stage.screen(), Screen::Playing);
     EXPECT_EQ(rig.stage.levelIndex(), 1u);
 }

@@ -63,31 +63,7 @@ TEST(TextRoom, OfTheHelp) {
     });
 }
 
-/// Strokes of honours on the numbers of the tiles, in the row of the honours.
-int strokesOnNumbers(const RecordingCanvas& canvas, Vec2 window) {
-    const Real scale = window.x / canvas.visible().extent().x;
-    int count = 0;
-    for (const Stroke& number : canvas.strokes()) {
-        const bool isNumber = number.kind == Stroke::Kind::Text &&
-                              number.text.find_first_not_of("0123456789") == std::string::npos &&
-                              number.style.height == Real(0.42) &&
-                              number.style.face == Typeface::Bold;
-        if (!isNumber) {
-            continue;
-        }
-        Aabb box = boundsOf(number, canvas, scale);
-        box.upper.y = number.place.y + Real(0.33); // previews may have ropes above
-        count += static_cast<int>(std::count_if(
-            canvas.strokes().begin(), canvas.strokes().end(), [&](const Stroke& stroke) {
-                const bool isIcon =
-                    stroke.kind == Stroke::Kind::Line || stroke.kind == Stroke::Kind::Ring;
-                return isIcon && overlap(box, Aabb{stroke.place, stroke.place}.grown(Real(0.05)));
-            }));
-    }
-    return count;
-}
-
-TEST(TextRoom, OfEachLevelInTheSelectionAndBesideTheField) {
+TEST(TextRoom, OfEachLevelOnTheMapAndBesideTheField) {
     const std::size_t step = support::kSanitized ? 9 : 1;
     for (const int percent : kSizes) {
         for (const Mode mode : {Mode::Standard, Mode::Pure}) {
@@ -95,8 +71,8 @@ TEST(TextRoom, OfEachLevelInTheSelectionAndBesideTheField) {
             const Vec2 window =
                 kWindows[1]; // its letters are the smallest: most is lost by rounding
             for (std::size_t i = 0; i < allLevels().size(); i += step) {
-                LevelSelect select(allLevels());
-                select.choose(i);
+                LevelMap map(allLevels(), {kBosses});
+                map.choose(i);
                 RecordingCanvas canvas;
                 canvas.setWindow(window);
                 canvas.begin(layout::kShownTitle, {});
@@ -104,15 +80,15 @@ TEST(TextRoom, OfEachLevelInTheSelectionAndBesideTheField) {
                 StageDef def = crowded(percent, mode);
                 Records records(def.profile, {}, {}, {});
                 records.setMarks(def.marks);
-                select.draw(canvas, records, 0);
+                map.draw(canvas, records, 0);
                 EXPECT_EQ(crowdedTexts(canvas, window), std::vector<std::string>{}) << i;
-                EXPECT_EQ(strokesOnNumbers(canvas, window), 0) << i;
                 Profile fresh; // no scores, but medals to win
                 fresh.mode = mode;
                 Records none(fresh, {}, {}, {});
                 none.setMarks(def.marks);
                 canvas.begin(layout::kShownTitle, {});
-                select.draw(canvas, none, 0);
+                map.update(none); // most levels are closed
+                map.draw(canvas, none, 0);
                 EXPECT_EQ(crowdedTexts(canvas, window), std::vector<std::string>{}) << i;
 
                 Game game(allLevels()[i], 1, mode);
@@ -288,7 +264,7 @@ TEST(TextRoom, LinesOfTheBestScoreDoNotTouch) {
             canvas.setWindow(kWindows[0]);
             canvas.begin(layout::kShownTitle, {});
             canvas.setTextScale(static_cast<Real>(percent) / 100);
-            LevelSelect(def.levels).draw(canvas, records, 0);
+            LevelMap(def.levels).draw(canvas, records, 0);
             EXPECT_EQ(canvas.says("6 140"), score > 0);
             const auto bad = touchingTexts(canvas, kWindows[0], Real(0.08)); // 3 pixels
             EXPECT_EQ(bad, std::vector<std::string>{}) << percent << " " << score;
@@ -352,7 +328,7 @@ TEST(TextRoom, LongTextsOfALevelAreCutAndStayLegible) {
             };
             expectLegible("title");
             room.clickItem(Action::Levels);
-            expectLegible("level select");
+            expectLegible("map");
             room.press(Command::Back);
             room.clickItem(Action::Records);
             room.clickItem(Action::Replays);

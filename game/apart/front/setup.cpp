@@ -187,6 +187,8 @@ std::variant<StageDef, std::string> setUp(const StartOptions& options) {
     if (def.levels.empty()) {
         return noLevelsText();
     }
+    putBossesLast(def.levels);
+    def.campaign = {kBosses, def.levels.size(), options.allLevels};
     def.bot = [](const Game& game) { return std::optional(bot(game)); };
     const bool picture = options.picture;
     if (!picture) { // a picture does not depend on the profile

@@ -17,6 +17,7 @@ struct StartOptions {
     std::string replay;                // file; empty: the player plays
     std::string ghost;                 // file or link of a rival's replay; empty: none
     std::string edit;                  // file of a level to edit; empty: none
+    bool allLevels = false;            // of the map are open
     bool picture = false;              // the bot plays, and no profile is read
 };
 

@@ -41,6 +41,7 @@ std::variant<Options, int> parseOptions(int argc, char** argv) {
                    "Address of a page of the game, for links that are copied; none unless given");
     auto* edit = app.add_option("--edit", options.edit,
                                 "Edit the level of this file .toml, which need not exist");
+    app.add_flag("--all-levels", options.allLevels, "All levels of the map are open");
     app.add_flag("--mute", options.mute, "No sound");
     auto* shot = app.add_option("--screenshot", options.screenshot,
                                 "Write a picture (png) of the bot's game or the replay, and exit");

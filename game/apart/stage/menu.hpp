@@ -15,8 +15,8 @@
 namespace apart {
 
 enum class Action : std::uint8_t {
-    Play, // the first level not cleared yet
-    Levels,
+    Play,   // the first open level not cleared yet
+    Levels, // the map
     Endless,
     Daily,
     Mode, // toggles standard and pure

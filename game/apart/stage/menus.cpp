@@ -29,7 +29,7 @@ std::string dailyLabel(Day today, const Records& records) {
 } // namespace
 
 Menu titleMenu(const TitleOffer& offer, const Records& records) {
-    std::vector<MenuItem> items = {{Action::Play, offer.play}, {Action::Levels, "Choose a level"}};
+    std::vector<MenuItem> items = {{Action::Play, offer.play}, {Action::Levels, "Map"}};
     if (offer.endless) {
         items.push_back({Action::Endless, endlessLabel(records)});
     }
@@ -102,9 +102,13 @@ Menu pauseMenu(bool replays) {
     if (replays) {
         items.push_back({Action::Replays, "All replays"});
     }
-    items.push_back({Action::Levels, "All levels"});
+    items.push_back({Action::Levels, "Map"});
     items.push_back({Action::ToTitle, "Title"});
     return {std::move(items), replays ? Real(12.4) : Real(11.6)};
+}
+
+Menu endingMenu() {
+    return {{{Action::Levels, "Map"}, {Action::ToTitle, "Title"}}, Real(5.1)};
 }
 
 Menu helpMenu() {

@@ -27,6 +27,7 @@ Menu replaysMenu(const std::vector<ShowEntry>& replays);
 Menu optionsMenu(const Settings& settings, int page);
 /// `replays`: leads to the list of replays, too.
 Menu pauseMenu(bool replays);
+Menu endingMenu();
 Menu helpMenu();
 
 } // namespace apart

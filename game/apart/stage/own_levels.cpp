@@ -123,7 +123,13 @@ std::string takeLevelFile(StageDef& def, const fs::path& file,
         def.notices.push_back(file.string() + ": " + name + " " + problem +
                               ". It is played without scores, honours and replays.");
     }
-    std::erase_if(def.levels, [&](const auto& other) { return other->name == level.name; });
+    const auto same = std::find_if(def.levels.begin(), def.levels.end(),
+                                   [&](const auto& other) { return other->name == level.name; });
+    if (same != def.levels.end()) {
+        const auto index = static_cast<std::size_t>(same - def.levels.begin());
+        def.campaign.own -= index < def.campaign.own ? 1 : 0;
+        def.levels.erase(same);
+    }
     def.reload = LevelWatch(file, level.name);
     def.levels.push_back(std::make_shared<const Level>(std::move(level)));
     def.firstLevel = def.levels.size() - 1;

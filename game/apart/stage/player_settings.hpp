@@ -19,12 +19,13 @@ struct Settings {
     int zoom = 60;   // of the picture towards a collapse
     int sound = 80;
     int music = 60;
-    int mouse = 100; // ratio of paddle displacement to mouse displacement
-    int ghost = 40;  // opacity of the best game, which runs beside the current one
-    int text = 100;  // size of texts
-    int colors = 0;  // a Vision
-    int calm = 0;    // 1: reduced flashing
-    int speed = 100; // of the game's time relative to real time; the ticks stay the same
+    int mouse = 100;    // ratio of paddle displacement to mouse displacement
+    int ghost = 40;     // opacity of the best game, which runs beside the current one
+    int text = 100;     // size of texts
+    int colors = 0;     // a Vision
+    int calm = 0;       // 1: reduced flashing
+    int openLevels = 0; // 1: all levels of the map are open
+    int speed = 100;    // of the game's time relative to real time; the ticks stay the same
 
     friend bool operator==(const Settings&, const Settings&) = default;
 };
@@ -39,12 +40,12 @@ struct Dial {
     int page = 0;                                 // of the options
     std::span<const std::string_view> words = {}; // of the values from 0 on, instead of percent
 };
-inline constexpr std::array<std::string_view, 3> kDialPages = {"Sound and speed", "Effects",
-                                                               "Legibility"};
+inline constexpr std::array<std::string_view, 4> kDialPages = {"Sound and speed", "Effects",
+                                                               "Legibility", "Levels"};
 inline constexpr std::array<std::string_view, 2> kOffOn = {"off", "on"};
 inline constexpr std::array<std::string_view, 4> kColorWords = {"usual", "deuteranopia",
                                                                 "protanopia", "tritanopia"};
-inline constexpr std::array<Dial, 16> kDials = {
+inline constexpr std::array<Dial, 17> kDials = {
     Dial{"sound", "Sound", &Settings::sound},
     Dial{"music", "Music", &Settings::music},
     Dial{"mouse", "Speed of the mouse", &Settings::mouse, 20, 300},
@@ -61,6 +62,7 @@ inline constexpr std::array<Dial, 16> kDials = {
     Dial{"text", "Size of texts", &Settings::text, 100, 140, 2},
     Dial{"colors", "Colours", &Settings::colors, 0, 3, 2, kColorWords},
     Dial{"reduced-flashing", "Reduced flashing", &Settings::calm, 0, 1, 2, kOffOn},
+    Dial{"open-levels", "All levels open", &Settings::openLevels, 0, 1, 3, kOffOn},
 };
 
 /// Converts percent to a share: 100 becomes 1.

@@ -44,6 +44,9 @@ struct Profile {
     /// Indexed by Mode, then by level name: scores of different modes are never compared.
     std::array<std::map<std::string, Best>, kModeNames.size()> best{};
     TotalsByTheme totals{};
+    /// All levels up to this one are open: games without a map had offered them. Empty: none.
+    std::string reached{};
+    bool mapped = true; // false: a game without a map has saved this last
 
     /// The settings, without sound while muted.
     Settings audible() const {

@@ -79,12 +79,29 @@ Profile mergedWith(const LoadedProfile& saved, Profile profile,
     if (saved.whole && before) {
         takeSettings(profile, saved.profile, *before);
     }
+    profile.reached = profile.reached.empty() ? saved.profile.reached : profile.reached;
     for (std::size_t mode = 0; mode < saved.profile.best.size(); ++mode) {
         for (const auto& [level, best] : saved.profile.best[mode]) {
             profile.adopt(static_cast<Mode>(mode), level, best);
         }
     }
     return profile;
+}
+
+/// A text within the quotation marks of TOML.
+std::string escaped(const std::string& text) {
+    std::string inside;
+    for (const char c : text) {
+        if (c == '"' || c == '\\') {
+            inside += '\\';
+            inside += c;
+        } else if ((c >= 0 && c < ' ') || c == '\x7f') {
+            inside += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+        } else {
+            inside += c;
+        }
+    }
+    return inside;
 }
 
 /// A level name as a TOML key.
@@ -96,18 +113,7 @@ std::string keyOf(const std::string& level) {
     if (!level.empty() && std::all_of(level.begin(), level.end(), isBare)) {
         return level;
     }
-    std::string key = "\"";
-    for (const char c : level) {
-        if (c == '"' || c == '\\') {
-            key += '\\';
-            key += c;
-        } else if ((c >= 0 && c < ' ') || c == '\x7f') {
-            key += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
-        } else {
-            key += c;
-        }
-    }
-    return key += '"';
+    return '"' + escaped(level) + '"';
 }
 
 } // namespace
@@ -136,7 +142,11 @@ std::filesystem::path freeAside(const std::filesystem::path& file, const std::st
 
 std::string toText(const Profile& profile) {
     std::string text = "# Settings and best scores of aPart. The game replaces the whole file.\n"
-                       "format = 1\n\n[settings]\n";
+                       "format = ";
+    text += profile.mapped ? "2" : "1"; // 1: of games without a map
+    text += profile.reached.empty() ? "\n"
+                                    : fmt::format("\nreached = \"{}\"\n", escaped(profile.reached));
+    text += "\n[settings]\n";
     for (const Dial& dial : kDials) {
         text += fmt::format("{} = {}\n", dial.key, profile.settings.*dial.value);
     }

@@ -43,7 +43,7 @@ public:
     explicit ProfileReader(Faults& faults) : faults_(faults) {}
 
     Profile read(const toml::table& root) {
-        number(root, "format", {1, 1, 1});
+        profile_.mapped = number(root, "format", {1, 2, 1}) == 2;
         for (const auto& [key, node] : root) {
             if (key == "settings") {
                 readSettings(node);
@@ -53,6 +53,8 @@ public:
                 readTotals(node);
             } else if (key == kBestTables[0] || key == kBestTables[1]) {
                 readBests(node, profile_.best[key == kBestTables[1] ? 1 : 0]);
+            } else if (key == "reached" && node.is_string()) {
+                profile_.reached = node.as_string()->get();
             } else if (key != "format") {
                 faults_.add(node, "unknown key " + std::string(key.str()));
             }
@@ -283,7 +285,7 @@ SalvagedProfile salvageProfile(std::string_view text, const std::string& file) {
     Faults faults;
     const toml::table root = wellFormed(text, file, faults);
     SalvagedProfile salvage;
-    salvage.newer = root["format"].value_or(std::int64_t{0}) > 1;
+    salvage.newer = root["format"].value_or(std::int64_t{0}) > 2;
     salvage.profile = ProfileReader(faults).read(root);
     salvage.problem = faults.problem(file);
     return salvage;

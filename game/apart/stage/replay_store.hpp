@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <apart/stage/level_select.hpp>
+#include <apart/stage/campaign.hpp>
 #include <apart/stage/profile_file.hpp>
 #include <apart/stage/score_book.hpp>
 #include <apart/stage/theatre.hpp>

@@ -75,15 +75,19 @@ Stage::Stage(StageDef def)
     : def_(std::move(def)),
       records_(std::move(def_.profile), def_.pilot ? Keeping{} : std::move(def_.keeping),
                std::move(def_.scores), noticesOf(def_)),
-      select_(def_.levels) {
+      map_(def_.levels, def_.campaign) {
     records_.setMarks(std::move(def_.marks));
     records_.checkDoubtful();
+    if (!profile().mapped) {
+        records_.profile().mapped = true;
+        records_.profile().reached = reachedBy(def_.levels, profile());
+    }
     level_ = std::min(def_.firstLevel, def_.levels.size() - 1);
     if (def_.reload) {
         records_.setLevel(def_.levels[level_]);
     }
     if (def_.show) {
-        level_ = nextToPlay(def_.levels, profile());
+        level_ = map_.nextLevel(records_);
         theatre_.begin(*def_.show);
         enterShow();
     } else if (def_.firstEdit) {
@@ -93,18 +97,9 @@ Stage::Stage(StageDef def)
     } else if (def_.startAtOnce) {
         begin(level_);
     } else {
-        level_ = nextToPlay(def_.levels, profile());
+        level_ = map_.nextLevel(records_);
         toTitle();
     }
-}
-
-std::size_t nextToPlay(const LevelList& levels, const Profile& profile) {
-    for (std::size_t i = 0; i < levels.size(); ++i) {
-        if (!profile.bestOf(profile.mode, levels[i]->name).cleared) {
-            return i;
-        }
-    }
-    return 0;
 }
 
 /// Starts a game of the player.
@@ -143,11 +138,17 @@ void Stage::enter(std::unique_ptr<Play> play, Session::Kind kind) {
     inputMapper_.letGo();
 }
 
-void Stage::begin(std::size_t level) {
+/// `namesBoss`: a boss without a result yet is named before the game.
+void Stage::begin(std::size_t level, bool namesBoss) {
     keepGame();
     level_ = level;
     endless_ = {};
+    const bool isFirst = !isPlayed(*def_.levels[level], profile());
     beginGame(def_.levels[level], def_.seed + games_);
+    if (namesBoss && isFirst && map_.stops()[level].boss) {
+        screen_ = Screen::BossCard;
+        over_.seconds = 0;
+    }
 }
 
 void Stage::beginEndless(std::uint32_t number) {
@@ -180,12 +181,14 @@ void Stage::again() {
 }
 
 void Stage::next() {
-    if (endless_.number > 0) {
+    if (endless_.number == 0 && map_.isLastBoss(level_)) {
+        open(Screen::Ending, endingMenu());
+    } else if (endless_.number > 0) {
         endless_.score += session_.game().score();
         endless_.before = endless_.with(session_.record());
         beginEndless(endless_.number + 1);
     } else {
-        begin(std::min(level_ + 1, def_.levels.size() - 1));
+        begin(std::min(level_ + 1, def_.levels.size() - 1), true);
     }
 }
 
@@ -215,7 +218,7 @@ void Stage::advance(double seconds, const Signals& signals, Speaker& speaker) {
     const bool playing = screen_ == Screen::Playing;
     if (records_.advance(playing ? kCheckInGames : kCheckInMenus, !playing) &&
         screen_ == Screen::Title) {
-        level_ = nextToPlay(def_.levels, profile());
+        level_ = map_.nextLevel(records_);
         refreshTitle(menu_, offer(), records_);
     }
     if (help_ && screen_ == Screen::Help) {
@@ -223,7 +226,7 @@ void Stage::advance(double seconds, const Signals& signals, Speaker& speaker) {
     }
     const bool menu =
         screen_ == Screen::Options || screen_ == Screen::Keys || screen_ == Screen::Help;
-    if (screen_ == Screen::Paused || (menu && !session_.isDemo())) {
+    if (screen_ == Screen::Paused || screen_ == Screen::BossCard || (menu && !session_.isDemo())) {
         return;
     }
     if (screen_ == Screen::Editor) {
@@ -305,15 +308,24 @@ void Stage::finish() {
     }
     over_.rerun = session_.rerun();
     std::vector<MenuItem> items;
-    const bool more = endless_.number > 0 || level_ + 1 < def_.levels.size();
-    if (game.result() == Result::Won && more && !session_.isShow()) {
-        items.push_back({Action::NextLevel, "Next level"});
+    map_.update(records_);
+    const bool run = endless_.number > 0;
+    const bool ends = !run && map_.isLastBoss(level_);
+    const bool more =
+        run || ends || (level_ + 1 < def_.levels.size() && map_.stops()[level_ + 1].open());
+    const bool won = game.result() == Result::Won && !session_.isShow();
+    if (won && more) {
+        items.push_back({Action::NextLevel, ends ? "The ending" : "Next level"});
+    } else if (won && level_ + 1 < def_.levels.size()) { // what the next level asks for
+        items.push_back({Action::Levels, "Map"});
     }
     items.push_back({Action::Restart, session_.isShow() ? "Watch again" : "Play again"});
     if (replays_.leadsFrom(session_)) {
         items.push_back({Action::Replays, "All replays"});
     }
-    items.push_back({Action::Levels, "All levels"});
+    if (items[0].action != Action::Levels) {
+        items.push_back({Action::Levels, "Map"});
+    }
     items.push_back({Action::ToTitle, "Title"});
     menu_ = Menu(std::move(items), Real(5.1));
 }

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <apart/stage/campaign.hpp>
 #include <apart/stage/confirm.hpp>
 #include <apart/stage/editor_screen.hpp>
 #include <apart/stage/help.hpp>
 #include <apart/stage/hud.hpp>
 #include <apart/stage/input_mapper.hpp>
 #include <apart/stage/key_screen.hpp>
-#include <apart/stage/level_select.hpp>
+#include <apart/stage/level_map.hpp>
 #include <apart/stage/menus.hpp>
 #include <apart/stage/reload.hpp>
 #include <apart/stage/session.hpp>
@@ -29,6 +30,7 @@ struct LevelChange {
 
 struct StageDef {
     LevelList levels; // at least one
+    Campaign campaign{};
     std::size_t firstLevel = 0;
     bool startAtOnce = false; // in the first level, without the title screen
     std::uint32_t seed = 1;   // of the first game, incremented for each further game
@@ -99,11 +101,10 @@ enum class Screen : std::uint8_t {
     Playing,
     Paused,
     Over,
-    Editor
+    Editor,
+    BossCard, // before the first game of a boss
+    Ending    // after the last boss
 };
-
-/// Index of the first level that is not cleared; 0 if all are.
-std::size_t nextToPlay(const LevelList& levels, const Profile& profile);
 
 /// The game in the picture: on the result screen that of the rerun.
 struct ShownGame {
@@ -143,13 +144,13 @@ public:
     const Records& records() const { return records_; }
     std::size_t levelIndex() const { return level_; }
     const Menu& menu() const { return menu_; }
-    const LevelSelect& levelSelect() const { return select_; }
+    const LevelMap& levelMap() const { return map_; }
     const std::optional<Ghost>& ghost() const { return session_.ghost(); }
     const EditorScreen* editor() const { return editor_.get(); } // nullptr: none is open
     /// True if the bot plays without a menu: the title screen has had no input for a while.
     bool attracting() const;
     friend ShownGame shownBy(const Stage& stage);
-    friend void paintOver(Canvas& canvas, const Stage& stage); // its result screen
+    friend void paintOver(Canvas& canvas, const Stage& stage); // its result, or the ending
 
 private:
     // Effects of input, by screen (stage_signals.cpp).
@@ -172,7 +173,7 @@ private:
     void toLevels();
     void toOptions(int page = 0);
     void open(Screen screen, Menu menu);
-    void begin(std::size_t level);
+    void begin(std::size_t level, bool namesBoss = false);
     void beginEndless(std::uint32_t number);
     void beginRun(Day day);
     void enterShow();
@@ -194,7 +195,7 @@ private:
 
     /// The result screen.
     struct Outcome {
-        double seconds = 0;   // since it appeared
+        double seconds = 0;   // since it appeared, or the name of a boss
         bool entered = false; // its score is one of the player's
         bool newBest = false;
         std::vector<std::string> notes{}; // sentences for the player
@@ -221,7 +222,7 @@ private:
     Menu menu_;
     KeyScreen keys_;
     std::optional<HelpPage> help_; // of Screen::Help
-    LevelSelect select_;
+    LevelMap map_;
     std::unique_ptr<EditorScreen> editor_; // also while its level is tried
     double seconds_ = 0;                   // s since the start, for animations
     double idleSeconds_ = 0;               // s since the last input

@@ -49,7 +49,7 @@ bool Stage::takeEditor(const Signals& signals) {
             *found = saved;
         }
         records_.setLevel(saved);
-        select_ = LevelSelect(def_.levels);
+        map_.setLevels(def_.levels);
     }
     editor_.reset();
     level_ = shown;

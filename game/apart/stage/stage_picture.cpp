@@ -2,6 +2,7 @@
 #include <apart/core/endless.hpp>
 #include <apart/core/tuning.hpp>
 #include <apart/stage/backdrop.hpp>
+#include <apart/stage/ending.hpp>
 #include <apart/stage/help.hpp>
 #include <apart/stage/layout.hpp>
 #include <apart/stage/logo.hpp>
@@ -266,6 +267,12 @@ ShownGame shownBy(const Stage& stage) {
 void paintOver(Canvas& canvas, const Stage& stage) {
     const Stage::Outcome& over = stage.over_;
     const EndlessRun& run = stage.endless_;
+    if (stage.screen_ == Screen::Ending) {
+        paintEnding(canvas, stage.game(), stage.session_.statistics(),
+                    tallyOf(stage.def_.levels, stage.def_.campaign, stage.profile(),
+                            stage.records_.marks()));
+        return stage.menu_.draw(canvas);
+    }
     paintVeil(canvas, faded(palette::kNight, over.rerun ? 0.55f : 0.72f));
     paintResults(canvas, {stage.game(), stage.session_.statistics(),
                           stage.game().score() + (run.number > 0 ? run.score : 0), over.newBest,
@@ -304,7 +311,7 @@ void Stage::draw(Canvas& canvas) const {
         over_.rerun->play().draw(canvas, over_.rerun->share(), layout::kShown, words);
     } else {
         session_.play().draw(canvas, session_.share(), shownBy(closeup), words);
-        if (session_.ghost() && screen_ != Screen::Over) {
+        if (session_.ghost() && screen_ < Screen::Over) {
             session_.ghost()->draw(canvas, session_.share(), share(settings().ghost));
         }
     }
@@ -322,8 +329,7 @@ void Stage::draw(Canvas& canvas) const {
                             : paintTitleScreen(canvas, menu_, seconds_, records_.notices(),
                                                confirm_.question(seconds_));
     case Screen::Levels:
-        paintVeil(canvas, faded(palette::kNight, 0.82f));
-        return select_.draw(canvas, records_, seconds_);
+        return map_.draw(canvas, records_, seconds_);
     case Screen::Options:
         return paintOptions(canvas, menu_, confirm_.question(seconds_));
     case Screen::Keys:
@@ -357,6 +363,9 @@ void Stage::draw(Canvas& canvas) const {
     case Screen::Paused:
         paintPaused(canvas, menu_, question, hudLook(), game().level());
         return paintNotices(canvas, reload_.notes(), kGameNotices);
+    case Screen::BossCard:
+        return paintBossCard(canvas, game().level(), over_.seconds);
+    case Screen::Ending:
     case Screen::Over:
         return paintOver(canvas, *this);
     }

@@ -60,9 +60,8 @@ void Stage::reloadLevel() {
                 records_.setLevel(change->level);
             }
             known = std::move(change->level);
-            const std::size_t chosen = select_.chosen();
-            select_ = LevelSelect(def_.levels);
-            select_.choose(chosen);
+            map_.setLevels(def_.levels);
+            map_.update(records_);
         }
     }
     if (reload_.due && playing) {

@@ -61,7 +61,7 @@ TitleOffer Stage::offer() const {
 
 void Stage::toTitle() {
     screen_ = Screen::Title;
-    level_ = nextToPlay(def_.levels, profile());
+    level_ = map_.nextLevel(records_);
     demo(level_);
     if (def_.endless) {
         records_.checkFirst(profile().mode, dailyKey(offer().today));
@@ -72,9 +72,10 @@ void Stage::toTitle() {
 
 void Stage::toLevels() {
     screen_ = Screen::Levels;
-    select_.choose(level_);
+    map_.update(records_);
+    map_.choose(level_);
     demo(level_);
-    checkScores(records_, def_.levels, select_.chosen());
+    checkScores(records_, def_.levels, map_.chosen());
 }
 
 void Stage::toOptions(int page) {
@@ -128,6 +129,12 @@ void Stage::takeOne(const Signals& signals, Speaker& speaker) {
         return takeLevels(signals, speaker);
     case Screen::Playing:
         return session_.isShow() ? takeShow(signals) : takePlaying(signals);
+    case Screen::BossCard:
+        if (signals.clicked || !signals.commands.empty()) {
+            screen_ = Screen::Playing;
+            inputMapper_.letGo();
+        }
+        return;
     default:
         return takeMenu(signals, speaker);
     }
@@ -150,21 +157,21 @@ void Stage::takeLevels(const Signals& signals, Speaker& speaker) {
         return std::count(signals.commands.begin(), signals.commands.end(), command) > 0;
     };
     if (pressed(Command::Back) ||
-        (signals.clicked && select_.backPlace().contains(signals.pointerNow))) {
+        (signals.clicked && map_.backPlace().contains(signals.pointerNow))) {
         return toTitle();
     }
-    const std::size_t before = select_.chosen();
-    if (def_.edit && (select_.wantsNew(signals) || select_.wantsEdit(signals))) {
-        const bool fresh = select_.wantsNew(signals);
+    const std::size_t before = map_.chosen();
+    if (def_.edit && (map_.wantsNew(signals) || map_.wantsEdit(signals))) {
+        const bool fresh = map_.wantsNew(signals);
         return edit(def_.edit(fresh ? nullptr : def_.levels[before].get()));
     }
-    if (const std::optional<std::size_t> level = select_.take(signals)) {
+    if (const std::optional<std::size_t> level = map_.take(signals)) {
         chirp(speaker, profile().audible().sound, true);
-        begin(*level);
-    } else if (select_.chosen() != before) {
+        begin(*level, true);
+    } else if (map_.chosen() != before) {
         chirp(speaker, profile().audible().sound, false);
-        demo(select_.chosen());
-        checkScores(records_, def_.levels, select_.chosen());
+        demo(map_.chosen());
+        checkScores(records_, def_.levels, map_.chosen());
     }
 }
 
@@ -277,7 +284,7 @@ void Stage::act(const MenuOutcome& outcome) {
     };
     switch (outcome.action) {
     case Action::Play:
-        return begin(level_);
+        return begin(level_, true);
     case Action::Levels:
         return mayEnd(Ending::Levels) ? toLevels() : void();
     case Action::Endless:
@@ -291,7 +298,7 @@ void Stage::act(const MenuOutcome& outcome) {
             return;
         }
         if (!session_.isDemo()) {
-            level_ = nextToPlay(def_.levels, profile());
+            level_ = map_.nextLevel(records_);
             demo(level_);
         }
         replays_.entries = withScores(def_.replays(), profile());
@@ -314,7 +321,7 @@ void Stage::act(const MenuOutcome& outcome) {
         return open(Screen::Help, helpMenu());
     case Action::Mode:
         records_.profile().mode = profile().mode == Mode::Pure ? Mode::Standard : Mode::Pure;
-        level_ = nextToPlay(def_.levels, profile());
+        level_ = map_.nextLevel(records_);
         records_.checkFirst(profile().mode, dailyKey(offer().today));
         records_.checkFirst(profile().mode, kEndlessKey);
         return refreshTitle(menu_, offer(), records_);
