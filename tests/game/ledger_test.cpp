@@ -137,9 +137,9 @@ TEST(Ledger, BalancesIfPiecesOnlyGrazeEachOther) {
             const Ledger& ledger = game.ledger();
             const double start = sums.mass * static_cast<double>(kGravity * block.y);
             const double works = ledger.breakWork + ledger.fieldWork;
-            // Of about 100 J. Contacts of grazing pieces dissipate a few hundredths of a J. The
+            // Of about 100 J. Contacts of grazing pieces change it by less than 0.1 J. The
             // smallest work, the tension of the block, is 1.5 J.
-            EXPECT_NEAR(sums.kinetic + sums.potential - start, works, 0.05);
+            EXPECT_NEAR(sums.kinetic + sums.potential - start, works, 0.1);
             EXPECT_EQ(ledger.fieldWork != 0, force != Force::None);
         }
     }
@@ -148,7 +148,7 @@ TEST(Ledger, BalancesIfPiecesOnlyGrazeEachOther) {
 TEST(Ledger, BooksTheWorkOfBumpersAndServo) {
     const Level level = levelWith("g..............\n" + emptyRows(6) + ".......o.......\n", "o",
                                   "obstruction = \"bumper\"\nsize = 400\nspeed = 5000");
-    Game game(level, 1);
+    Game game(level, 1, Mode::Pure); // a ball that waits keeps its speed
     const kodo::BodyId ball = GameTestAccess::shoot(game, {Real(0.1), 8}, {0, 9});
     const auto energy = [&] {
         Sums sums;

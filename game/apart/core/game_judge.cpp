@@ -169,12 +169,12 @@ void judgeBlock(GameState& game, const CollisionRecord& hit, BodyId body) {
     if (!block.kind.breakable() || hit.maxPointImpulse() < kSlightestImpact || pressed) {
         return;
     }
-    if (block.counts()) {
-        game.clock.progress();
-    }
     const bool hollow =
         byBall && std::any_of(game.balls.begin(), game.balls.end(),
                               [&](const Ball& ball) { return ball.body == other && ball.hollow; });
+    if (block.counts() && !hollow) { // a hollow ball clears nothing
+        game.clock.progress();
+    }
     const Real damage =
         hollow ? std::min(hit.maxPointImpulse(), block.strengthLeft / 2) : hit.maxPointImpulse();
     if (damage > block.strengthLeft) {

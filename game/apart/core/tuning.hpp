@@ -12,7 +12,7 @@ namespace apart {
 using kodo::Real;
 
 // To be raised whenever the same inputs give another game. Older replays are then refused.
-inline constexpr std::uint32_t kRulesVersion = 33;
+inline constexpr std::uint32_t kRulesVersion = 34;
 
 inline constexpr int kTicksPerSecond = 120;
 inline constexpr Real kTickSeconds = Real(1) / 120;
@@ -66,7 +66,7 @@ inline constexpr std::uint32_t kCarriedTicks = 20;    // slow on a dynamic body;
 // little; a hollow one at once.
 inline constexpr std::uint32_t kQuickTicks = 108; // 0.9 s
 inline constexpr Real kQuickHeight = 4;           // m
-inline constexpr Real kQuickFactor = Real(1.65);
+inline constexpr Real kQuickFactor = Real(2.25);
 inline constexpr Real kHaltSpeed = Real(0.1);        // m/s; below it the last heading is kept
 inline constexpr Real kFlatSine = Real(0.1908090);   // sine of 11 degrees
 inline constexpr Real kFlatCosine = Real(0.9816272); // cosine of 11 degrees
