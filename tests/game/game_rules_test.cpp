@@ -165,9 +165,9 @@ TEST(Serve, ItsFirstLegEndsWhereTheBallFirstTouches) {
         while (eventOf<Struck>(game) == nullptr) {
             game.tick({});
         }
-        // The cast ball is a tenth smaller, and a tick takes 0.1 m.
+        // The cast ball is a tenth smaller, and a tick takes up to 0.23 m.
         const Vec2 place = game.world()[game.balls()[0].body].position();
-        EXPECT_TRUE(near(place, leg[1], 0.25)) << slope;
+        EXPECT_TRUE(near(place, leg[1], 0.3)) << slope;
     }
 }
 
@@ -341,7 +341,7 @@ std::pair<Real, Real> idleSpeeds(Mode mode) {
 TEST(Game, AnIdleBallFliesFasterUntilItComesNearThePaddle) {
     const auto [high, low] = idleSpeeds(Mode::Standard);
     EXPECT_NEAR(high, kQuickFactor, kServoBand * kQuickFactor);
-    EXPECT_LT(low, Real(1.2));
+    EXPECT_LT(low, Real(1.3));
     const auto [pureHigh, pureLow] = idleSpeeds(Mode::Pure);
     EXPECT_NEAR(pureHigh, 1, kServoBand);
     EXPECT_NEAR(pureLow, 1, kServoBand);

@@ -137,9 +137,9 @@ TEST(Ledger, BalancesIfPiecesOnlyGrazeEachOther) {
             const Ledger& ledger = game.ledger();
             const double start = sums.mass * static_cast<double>(kGravity * block.y);
             const double works = ledger.breakWork + ledger.fieldWork;
-            // Of about 100 J. Contacts of grazing pieces change it by less than 0.1 J. The
+            // Of about 100 J. Contacts of grazing pieces change it by less than 0.2 J. The
             // smallest work, the tension of the block, is 1.5 J.
-            EXPECT_NEAR(sums.kinetic + sums.potential - start, works, 0.1);
+            EXPECT_NEAR(sums.kinetic + sums.potential - start, works, 0.2);
             EXPECT_EQ(ledger.fieldWork != 0, force != Force::None);
         }
     }
