@@ -3,6 +3,8 @@
 
 #include <joints/rig.hpp>
 
+#include <algorithm>
+
 namespace kodo {
 namespace {
 
@@ -148,30 +150,78 @@ TEST(JointSleep, AMotorKeepsItsBodyAwake) {
     }
 }
 
-// A motor that nothing moves, at a limit, at a wall or under a load, lets its island sleep.
+/// Speed (m/s) of a body that a slider's motor presses along the axis into a limit or a wall, from
+/// the fourth to the fifth second. 0 once it is asleep.
+Real speedOfStalled(Rig& rig, PrismaticJoint slider, bool limited, int rate) {
+    const BodyId lift = rig.addBob({});
+    slider.ends = {.a = rig.post, .b = lift};
+    if (limited) {
+        slider.limits = Range{-1, Real(0.2)};
+    } else {
+        BodyDef wall = boxDef(Real(1.2) * slider.axis, 1, 1);
+        wall.rotation = Rot::fromAngle(atan2(slider.axis.y, slider.axis.x));
+        wall.type = BodyType::Static;
+        rig.world.add(wall);
+    }
+    rig.world.add(slider);
+    for (int i = 0; i < 4 * rate; ++i) {
+        rig.world.step(1 / Real(rate));
+    }
+    Real fastest = 0;
+    for (int i = 0; i < rate; ++i) {
+        rig.world.step(1 / Real(rate));
+        fastest = std::max(fastest, length(rig.world[lift].velocity()));
+    }
+    EXPECT_TRUE(isAsleep(rig.world, lift));
+    return fastest;
+}
+
+// A motor that nothing moves, at a limit, at a wall or under a load, rests and lets its island
+// sleep, however much stronger than the load it is.
 TEST(JointSleep, AStalledMotorLetsItsBodySleep) {
+    constexpr Real kDiagonal = Real(0.70710678);
     for (const StepSettings& settings : {balanced(), thesis2006()}) {
         for (const int rate : {30, 60, 120, 240}) {
-            for (const bool limited : {true, false}) {
-                SCOPED_TRACE(testing::Message()
-                             << rate << " Hz" << (limited ? ", limit" : ", wall"));
+            for (const Vec2 axis : {Vec2{1, 0}, Vec2{kDiagonal, kDiagonal}, Vec2{0, 1},
+                                    Vec2{-kDiagonal, kDiagonal}}) {
+                for (const Real share : {Real(1.5), Real(10), Real(1000)}) { // of its weight
+                    for (const bool limited : {true, false}) {
+                        if (!limited && axis.y > 0 && rate == 30) {
+                            continue; // the thesis's solver: see tuning.md
+                        }
+                        SCOPED_TRACE(testing::Message()
+                                     << rate << " Hz, axis " << axis.x << ", " << axis.y
+                                     << ", share " << share << (limited ? ", limit" : ", wall"));
+                        Rig rig;
+                        rig.world.setSettings(settings);
+                        PrismaticJoint slider{.axis = axis, .motorSpeed = Real(0.5)};
+                        slider.motorForce = share * Real(rig.weightOf(rig.addBob({50, 0})));
+                        EXPECT_EQ(speedOfStalled(rig, slider, limited, rate), 0);
+                    }
+                }
+            }
+        }
+    }
+}
+
+// Likewise a hinge that presses its arm on a stop.
+TEST(JointSleep, AStalledHingeLetsItsBodySleep) {
+    for (const StepSettings& settings : {balanced(), thesis2006()}) {
+        for (const int rate : {30, 60, 120, 240}) {
+            for (const Real torque : {Real(20), Real(1000)}) {
+                SCOPED_TRACE(testing::Message() << rate << " Hz, torque " << torque);
                 Rig rig;
                 rig.world.setSettings(settings);
-                const BodyId lift = rig.addBob({});
-                PrismaticJoint slider{
-                    .ends = {.a = rig.post, .b = lift}, .motorSpeed = Real(0.5), .motorForce = 10};
-                if (limited) {
-                    slider.limits = Range{-1, Real(0.2)};
-                }
-                rig.world.add(slider);
-                if (!limited) {
-                    rig.world.add(
-                        {.shape = Box{1, 1}, .position = {Real(1.2), 0}, .type = BodyType::Static});
-                }
+                rig.world.add(
+                    {.shape = Box{1, 1}, .position = {2, Real(-1.5)}, .type = BodyType::Static});
+                const BodyId arm = rig.world.add(boxDef({1, 0}, 2, Real(0.2)));
+                rig.world.add(RevoluteJoint{.ends = {.a = rig.post, .b = arm, .anchorB = {-1, 0}},
+                                            .motorSpeed = -2,
+                                            .motorTorque = torque});
                 for (int i = 0; i < 5 * rate; ++i) {
                     rig.world.step(1 / Real(rate));
                 }
-                EXPECT_TRUE(isAsleep(rig.world, lift));
+                EXPECT_TRUE(isAsleep(rig.world, arm));
             }
         }
     }

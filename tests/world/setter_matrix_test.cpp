@@ -124,7 +124,7 @@ const std::vector<NamedChange>& bodyChanges() {
          }},
         {"applyForce",
          [](World& w, BodyId, BodyId b) {
-             w[b].applyForce({40, 0});
+             w[b].applyForce({30, 0});
          }},
         {"applyTorque", [](World& w, BodyId, BodyId b) { w[b].applyTorque(1); }},
         {"applyImpulse",

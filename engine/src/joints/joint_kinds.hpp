@@ -220,7 +220,8 @@ private:
         if (most > 0) {
             axis.speed = speed;
             axis.bounds = {-most * pass_.h, most * pass_.h};
-            visit_(axis, joint_.axes[slot], Relax::Rigid);
+            const bool again = pass_.errors == ErrorRemoval::ByVelocity; // else contacts are last
+            visit_(axis, joint_.axes[slot], again ? Relax::Rigid : Relax::Done);
         }
     }
 
@@ -230,8 +231,7 @@ private:
         limit(reversed(axis), slot + 1, range.upper - now, motor);
     }
 
-    /// Keeps `room` (m or rad) at or above zero. A positive room may be closed within the substep,
-    /// but not exceeded.
+    /// Keeps `room` (m or rad) at or above zero; a substep may close a positive one.
     void limit(AxisConstraint axis, std::size_t slot, Real room, Real pushed = 0) {
         axis.borne = std::max(pushed, Real(0));
         axis.error = std::max(room, -mostError(pass_.stiff));

@@ -190,8 +190,9 @@ Real AxisConstraint::missing(const BodyVelocity& a, const BodyVelocity& b, Real 
     if (!(k > 0)) {
         return 0; // both bodies are immovable, or the other constraint leaves no motion free
     }
-    const Real yielding = impulse - std::min(borne, std::max(impulse, Real(0)));
-    const Real wanted = impulse - soft.massScale * now / k - soft.impulseScale * yielding;
+    const Real stopping = impulse - (now - soft.biasRate * error) / k; // without softness
+    const Real rigid = std::min(borne, std::max(stopping, Real(0)));
+    const Real wanted = impulse - soft.massScale * now / k - soft.impulseScale * (impulse - rigid);
     return std::clamp(wanted, bounds.lower, bounds.upper) - impulse;
 }
 

@@ -94,7 +94,7 @@ struct AxisConstraint {
     Real speed = 0; // m/s or rad/s, target
     Softness softness{};
     Range bounds = kUnbounded;   // N s or N m s
-    Real borne = 0;              // the same: what a limit bears without giving way
+    Real borne = 0;              // the same: up to which a limit stops without giving way
     CoupledPoint beside{};       // of an angular constraint only
     CoupledAngle angle{};        // of a linear constraint only
     std::optional<Vec2> axisA{}; // of a, if it is not `axis`

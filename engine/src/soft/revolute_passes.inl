@@ -182,6 +182,7 @@ template <RevoluteTask task>
 KODO_LANES_INLINE Lanes limitImpulse(const RevolutePassArguments& pass, Lanes impulse, Lanes pushed,
                                      Lanes room, Lanes speed, Lanes mass) {
     const auto apart = room > Lanes{};
+    const Lanes stopping = larger(Lanes{}, impulse - mass * speed); // without softness
     Lanes kept = all(1);
     if constexpr (task == RevoluteTask::Solve) {
         const Softness& soft = pass.soft;
@@ -191,7 +192,7 @@ KODO_LANES_INLINE Lanes limitImpulse(const RevolutePassArguments& pass, Lanes im
     } else {
         speed += apart ? room * all(1 / pass.h) : Lanes{};
     }
-    const Lanes borne = smaller(impulse, larger(Lanes{}, pushed));
+    const Lanes borne = smaller(stopping, larger(Lanes{}, pushed));
     return larger(Lanes{}, (borne + kept * (impulse - borne)) - mass * speed);
 }
 
