@@ -17,7 +17,7 @@ void ContactSet::forgetUnsound(const Bodies& bodies, const Tolerances& tolerance
     visitAll();
     for (std::uint32_t slot = 0; slot < store_.size(); ++slot) {
         Contact& contact = contacts()[slot];
-        if (!isSound(contact, store_.lane(slot))) {
+        if (!isSound(contact, store_.numbers(slot))) {
             store_.leavePasses(slot, bodies);
             const ContactLane lane = store_.lane(slot);
             clearContact(contact, lane);

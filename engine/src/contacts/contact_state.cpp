@@ -12,26 +12,6 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
 
-/// False if a number of the contact is larger than any of a World, or not a number. Products of
-/// two such lengths and speeds are finite.
-bool isBounded(const StoredContact& contact) {
-    const ContactNumbers& numbers = contact.numbers;
-    constexpr Real kMost = Real(1e15); // m or m/s
-    const auto small = [](Real number, Real most) { return std::abs(number) <= most; };
-    const auto near = [&](Vec2 v, Real most) { return small(v.x, most) && small(v.y, most); };
-    const Manifold& manifold = contact.manifold;
-    bool good = near(contact.centerA, kMost) && near(manifold.normal, 2) &&
-                small(numbers.approachSpeed, kMost) && numbers.relativeDisplacement >= 0;
-    for (const ManifoldPoint& p : manifold.points) {
-        good = good && near(p.armA, kMost) && near(p.armB, kMost) && small(p.separation, kMost);
-    }
-    for (const Real impulse : {numbers.impulse[0].normal, numbers.impulse[1].normal,
-                               numbers.friction, numbers.rolling, numbers.total}) {
-        good = good && small(impulse, kMaxMass * kMost);
-    }
-    return good;
-}
-
 /// False for NaN.
 bool isBounded(const Octagon& bounds) {
     constexpr Real kBeyondEverything = kPlaneExtent * Real(1e9); // m
@@ -75,7 +55,7 @@ void StoredContact::visitState(StateStream& stream) {
     if (stream.reads()) {
         require(side >= -1 && side <= 1, "the side of a contact is unknown");
         require(manifold.count >= 0 && manifold.count <= 2, "a contact has more than two points");
-        require(isBounded(*this), "a number of a contact is too large, or not a number");
+        require(isSound(*this, numbers), "a number of a contact is too large, or not a number");
         separation = separationsOf(manifold);
     }
 }

@@ -352,15 +352,24 @@ bool followContact(Contact& contact, const ContactLane& lane, const Bodies& bodi
     return contact.filled || (known && staysApart(contact, lane, tolerances));
 }
 
-bool isSound(const Contact& contact, const ContactLane& lane) {
+bool isSound(const Contact& contact, const ContactNumbers& numbers) {
+    constexpr Real kMost = Real(1e15); // m or m/s
+    const auto small = [](Real number, Real most) { return std::abs(number) <= most; };
+    const auto near = [&](Vec2 v, Real most) { return small(v.x, most) && small(v.y, most); };
     const Manifold& manifold = contact.manifold;
-    bool placed = isFinite(contact.centerA) && isFinite(manifold.normal);
+    bool good = near(contact.centerA, kMost) && near(manifold.normal, 2) &&
+                small(numbers.approachSpeed, kMost) && numbers.relativeDisplacement >= 0;
     for (const ManifoldPoint& p : manifold.points) {
-        placed = placed && isFinite(p.armA) && isFinite(p.armB) && std::isfinite(p.separation);
+        good = good && near(p.armA, kMost) && near(p.armB, kMost) && small(p.separation, kMost);
     }
-    return placed && std::isfinite(lane.separation(0)) && std::isfinite(lane.separation(1)) &&
-           std::isfinite(lane.impulse(0) + lane.impulse(1) + lane.friction() + lane.rolling() +
-                         lane.total());
+    for (const Real separation : numbers.separation) {
+        good = good && small(separation, kMost);
+    }
+    for (const Real impulse : {numbers.impulse[0].normal, numbers.impulse[1].normal,
+                               numbers.friction, numbers.rolling, numbers.total}) {
+        good = good && small(impulse, kMaxMass * kMost);
+    }
+    return good;
 }
 
 void clearContact(Contact& contact, const ContactLane& lane) {

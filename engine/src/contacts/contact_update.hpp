@@ -67,8 +67,9 @@ bool removePassing(Manifold& manifold, const Contact& contact, const Bodies& bod
 /// Sets the approach speed (m/s) from the current velocities, for the record and the impacts.
 void measureApproach(const Contact& contact, const ContactLane& lane, const Bodies& bodies);
 
-/// True if positions and impulses are finite.
-bool isSound(const Contact& contact, const ContactLane& lane);
+/// False if a number of the contact is larger than any of a World, or not a number. Products of
+/// two such lengths and speeds are finite.
+bool isSound(const Contact& contact, const ContactNumbers& numbers);
 
 /// Resets a contact whose parts are not near each other any more.
 void clearContact(Contact& contact, const ContactLane& lane);
