@@ -29,11 +29,11 @@ expect 0 '^  sleep ' "$program" --help
 expect 0 'of 1 worlds, 0 findings' "$program" --count 1 --seed 1
 expect 0 '^world 3' "$program" --seed 18446744073709551615 --print
 expect 0 '^world 3' "$program" --seed 18446744073709551615 --print --ordinary
-"$program" --ordinary --seed 14 --print >seesaw
+"$program" --ordinary --seed 71 --print >seesaw
 expect 0 'seesaw: no finding' "$program" --ordinary --replay seesaw
 expect 0 'seesaw: no finding' "$program" --invariances --replay seesaw
 expect 0 'of 1 worlds, 0 findings' "$program" --invariances --count 1 --seed 1
-expect 0 '^see-saws +1 .* 0\.0%' "$program" --ordinary --count 1 --seed 14
+expect 0 '^see-saws +1 .* 0\.0%' "$program" --ordinary --count 1 --seed 71
 expect 2 'folder is a folder' "$program" --replay folder
 expect 2 'nowhere cannot be read' "$program" --replay nowhere
 for file in text half; do

@@ -68,12 +68,11 @@ void ContinuousCollision::cutShort(const Step& step, std::uint32_t body, Real ti
 /// True if a pair with a hidden contact meets along the surface above the hidden ground: then the
 /// body strikes that surface, as with the far end of a rod, and no internal edge.
 bool ContinuousCollision::meetsSurface(const Step& step, const Contact& contact, Real time) const {
-    const ContactKey& key = contact.key;
+    const auto& [bodyA, partA, bodyB, partB] = contact.key;
     const Bodies& bodies = step.bodies;
-    const Manifold met =
-        collide(bodies.convex(key.bodyA, key.partA), pathOf(bodies, key.bodyA).at(time),
-                bodies.convex(key.bodyB, key.partB), pathOf(bodies, key.bodyB).at(time),
-                step.tolerances.margin, 0);
+    const Manifold met = collide(bodies.convex(bodyA, partA), pathOf(bodies, bodyA).at(time),
+                                 bodies.convex(bodyB, partB), pathOf(bodies, bodyB).at(time),
+                                 step.tolerances.margin, 0);
     return met.count > 0 && isSameWay(met.normal, contact.manifold.normal);
 }
 

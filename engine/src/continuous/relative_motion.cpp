@@ -60,13 +60,11 @@ Real relativeMotion(const Bodies& bodies, const MovingBody& movingA, const Movin
 
 Real motionAgainst(const Bodies& bodies, Vec2 normal, const MovingBody& movingA,
                    const MovingBody& movingB) {
-    const auto& [bodyA, rotationReachA, stopA] = movingA;
-    const auto& [bodyB, rotationReachB, stopB] = movingB;
-    const BodyVelocity& a = bodies.motion[bodyA];
-    const BodyVelocity& b = bodies.motion[bodyB];
-    return dot(normal, stopA * a.deltaPosition - stopB * b.deltaPosition) +
-           stopA * std::abs(a.deltaAngle) * rotationReachA +
-           stopB * std::abs(b.deltaAngle) * rotationReachB;
+    const BodyVelocity& a = bodies.motion[movingA.body];
+    const BodyVelocity& b = bodies.motion[movingB.body];
+    return dot(normal, movingA.stopAt * a.deltaPosition - movingB.stopAt * b.deltaPosition) +
+           movingA.stopAt * std::abs(a.deltaAngle) * movingA.rotationReach +
+           movingB.stopAt * std::abs(b.deltaAngle) * movingB.rotationReach;
 }
 
 Real gapOf(const Bodies& bodies, const ContactSet& contactSet, std::uint32_t slot,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bodies/bodies.hpp"
+#include "bodies/joint_lists.hpp"
 #include "contacts/contact_store.hpp"
 #include "contacts/contact_update.hpp"
 
@@ -20,6 +21,13 @@ enum class Departure {
     Whole,          // all points leave after an impact, and stay apart until the end of the step
     BetweenImpacts, // with restitution: what touches leaves, another point may come
 };
+
+/// True if a joint holds a body of a contact that moves: the joint would go on pulling it into the
+/// other one, as a third body would.
+inline bool isJointed(const Bodies& bodies, const JointLists& joints, const ContactKey& key) {
+    return (!bodies.locked(key.bodyA) && joints.hasAny(key.bodyA)) ||
+           (!bodies.locked(key.bodyB) && joints.hasAny(key.bodyB));
+}
 
 /// True if no third body that moves touches the bodies of a contact. It would go on where
 /// continuous collision stops these, since it pushes them only in the next step.
@@ -43,7 +51,8 @@ inline bool isAlone(const Bodies& bodies, const ContactStore& store, std::uint32
     return alone;
 }
 
-/// Departure of a contact in a step of dt (s); `bounces`: it has restitution in this step. Between
+/// Departure of a contact in a step of dt (s); `bounces`: it has restitution in this step, and no
+/// joint holds its bodies. Between
 /// impacts a contact needs no row: braking the point that comes would take its rebound, as with a
 /// contact that does not touch yet. Continuous collision stops the bodies where it arrives.
 inline Departure departureOf(const Bodies& bodies, ContactStore& store, std::uint32_t slot,

@@ -193,7 +193,8 @@ void Propagation::resolveCollisions(Bodies& bodies, ContactStore& store, const S
 
 /// Makes rows for contacts that may touch. A contact with restitution gets none before it touches,
 /// or between two impacts: braking would reduce its rebound.
-void Propagation::makeRows(const Bodies& bodies, ContactStore& store, const Step& step, Real h) {
+void Propagation::makeRows(const Bodies& bodies, ContactStore& store, const JointLists& joints,
+                           const Step& step, Real h) {
     const std::span<const Contact> contacts = store.contacts();
     rows_.clear();
     reserveReusing(rows_, contacts.size());
@@ -201,10 +202,10 @@ void Propagation::makeRows(const Bodies& bodies, ContactStore& store, const Step
         const Contact& contact = contacts[k];
         const ContactLane lane = store.lane(k);
         const Real slop = step.tolerances.slop;
-        const bool waits =
-            bounces(contact, step.settings) &&
-            (lane.separation(0) > slop ||
-             departureOf(bodies, store, k, true, slop, h) == Departure::BetweenImpacts);
+        const bool waits = bounces(contact, step.settings) &&
+                           (lane.separation(0) > slop ||
+                            departureOf(bodies, store, k, !isJointed(bodies, joints, contact.key),
+                                        slop, h) == Departure::BetweenImpacts);
         for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
             lane.separation(i) = gaps_[k][i];
         }
@@ -370,7 +371,7 @@ void Propagation::solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints
         integrateVelocities(bodies, bodies.awake, h);
         pass.biased = true;
         joints.warmStart(bodies, pass);
-        makeRows(bodies, store, step, h);
+        makeRows(bodies, store, joints.lists(), step, h);
         resolveContacts(bodies, joints, pass, settings);
         if (settings.shockPasses > 0) {
             findLevels(bodies);

@@ -94,7 +94,8 @@ private:
                 const StepSettings& settings);
     void predict(const Bodies& bodies, ContactStore& store, const Prediction& prediction);
     void resolveCollisions(Bodies& bodies, ContactStore& store, const Step& step, Real h);
-    void makeRows(const Bodies& bodies, ContactStore& store, const Step& step, Real h);
+    void makeRows(const Bodies& bodies, ContactStore& store, const JointLists& joints,
+                  const Step& step, Real h);
     void resolveContacts(Bodies& bodies, JointSet& joints, const JointPass& pass,
                          const PropagationSettings& settings);
     void findLevels(const Bodies& bodies);

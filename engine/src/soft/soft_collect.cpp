@@ -90,13 +90,13 @@ void SoftSolver::collect(const Bodies& bodies, ContactSet& contactSet, const Joi
                          const Step& step) {
     const std::span<const std::uint32_t> live = contactSet.live();
     beginCollecting(bodies, contactSet, joints, step);
-    found_.gather(
-        step.team, live.size(), kNewcomersPerPiece, newcomers_,
-        [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& newcomers) {
-            forPieces(first, last, kNewcomersPerPiece, [&](auto from, auto to) {
-                collectPiece({bodies, contactSet, step}, live.subspan(from, to - from), newcomers);
-            });
-        });
+    found_.gather(step.team, live.size(), kNewcomersPerPiece, newcomers_,
+                  [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& newcomers) {
+                      forPieces(first, last, kNewcomersPerPiece, [&](auto from, auto to) {
+                          collectPiece({bodies, contactSet, joints.lists(), step},
+                                       live.subspan(from, to - from), newcomers);
+                      });
+                  });
 }
 
 /// First the kept contacts, by their summaries alone, then the others.
@@ -131,8 +131,9 @@ void SoftSolver::collectPiece(const Collecting& run, std::span<const std::uint32
             store.leavePasses(place, bodies);
             return;
         }
-        const Departure departure = departureOf(
-            bodies, store, place, restitution && contacts[place].bounces, slop, step.dt);
+        const bool bounces = restitution && contacts[place].bounces &&
+                             !isJointed(bodies, run.joints, contacts[place].key);
+        const Departure departure = departureOf(bodies, store, place, bounces, slop, step.dt);
         if (departure == Departure::BetweenImpacts) {
             store.leavePasses(place, bodies);
             store.lane(place).clearImpulses();

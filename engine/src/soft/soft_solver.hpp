@@ -86,6 +86,7 @@ private:
     struct Collecting {
         const Bodies& bodies;
         ContactSet& contactSet;
+        const JointLists& joints;
         const Step& step;
     };
 

@@ -60,8 +60,8 @@ kodo::Compound crossOf(Real size) {
 
 Ids buildCrosses(kodo::World& world) {
     addGround(world);
-    addWall(world, {6, 0}, {6, 10});
-    addWall(world, {-6, 10}, {-6, 0});
+    addWall(world, {6, 0}, {6, 20});
+    addWall(world, {-6, 20}, {-6, 0});
     for (int i = 0; i < 40; ++i) {
         const Vec2 at{Real(i % 5) * 2.2_r - 4.4_r, 1.5_r + Real(i / 5) * 2};
         const kodo::Shape shape =
