@@ -59,7 +59,7 @@ inline Departure departureOf(const Bodies& bodies, ContactStore& store, std::uin
                              bool bounces, Real slop, Real dt) {
     const Contact& contact = store.contacts()[slot];
     const ContactLane lane = store.lane(slot);
-    constexpr Real kLeaves = Real(1) / 8; // slops in a step, without an impact in it
+    constexpr Real kDeparts = Real(1) / 8; // slops in a step, without an impact in it
     const bool hit = lane.impacts() > 0;
     if (!hit && !bounces) {
         return Departure::None;
@@ -79,7 +79,7 @@ inline Departure departureOf(const Bodies& bodies, ContactStore& store, std::uin
         Real& least = lane.separation(i) <= slop ? touching : beyond;
         least = std::min(least, dot(n, apart));
     }
-    const Real leaving = pressing + (hit ? Real(0) : kLeaves * slop / dt);
+    const Real leaving = pressing + (hit ? Real(0) : kDeparts * slop / dt);
     if (bounces && touching >= leaving && (beyond < pressing || mayGainPoint(bodies, contact)) &&
         isAlone(bodies, store, slot, slop)) {
         return Departure::BetweenImpacts;
