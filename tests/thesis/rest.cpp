@@ -123,7 +123,7 @@ void addResting(std::vector<Experiment>& book, Extent extent) {
             .near(5.0 * piles, 0, "all");
         one.add("bodies worked on in a step after 3 s", profile.name,
                 static_cast<double>(kodo::stepStats(world).bodies))
-            .atMost(0, "what rests costs nothing");
+            .atMost(0, "a step leaves sleeping bodies out");
         world.remove(lowest.front());
         world.step(kDt);
         one.add("awake after the lowest box of one stack is taken", profile.name,

@@ -46,7 +46,7 @@ public:
                 prefetchFor(summaries[i + kSummariesAhead]);
             }
             const auto slot = static_cast<std::uint32_t>(i);
-            if (staysKept(slot, summaries[i])) {
+            if (isCurrent(slot, summaries[i])) {
                 fastest = std::max(fastest, store.approachSpeed(slot));
             } else {
                 visited.add(slot, !summaries[i].idle || boundsMeet(i));
@@ -69,7 +69,7 @@ private:
         }
     }
     /// True if the lane has all of the contact, and its manifold stays valid.
-    bool staysKept(std::uint32_t slot, const ContactSummary& summary) const {
+    bool isCurrent(std::uint32_t slot, const ContactSummary& summary) const {
         return summary.kept &&
                !isOutdated(lanes.relativeDisplacement(summary.row.index), summary.bounces,
                            tolerances) &&

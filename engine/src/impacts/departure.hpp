@@ -52,9 +52,9 @@ inline bool isAlone(const Bodies& bodies, const ContactStore& store, std::uint32
 }
 
 /// Departure of a contact in a step of dt (s); `bounces`: it has restitution in this step, and no
-/// joint holds its bodies. Between
-/// impacts a contact needs no row: braking the point that comes would take its rebound, as with a
-/// contact that does not touch yet. Continuous collision stops the bodies where it arrives.
+/// joint holds its bodies. Between impacts a contact needs no row: braking the point that comes
+/// would take its rebound, as with a contact that does not touch yet. Continuous collision stops
+/// the bodies where it arrives.
 inline Departure departureOf(const Bodies& bodies, ContactStore& store, std::uint32_t slot,
                              bool bounces, Real slop, Real dt) {
     const Contact& contact = store.contacts()[slot];

@@ -19,7 +19,7 @@ public:
     explicit LevelMap(LevelList levels, const Campaign& campaign = {});
     void setLevels(LevelList levels);
 
-    /// Takes from profile and marks what each level asks for now.
+    /// Reads results and medals from the records, and derives which levels are open.
     void update(const Records& records);
     const std::vector<Stop>& stops() const { return stops_; } // of all levels
     /// As nextToPlay(), after an update.
