@@ -3,6 +3,7 @@
 
 #include <kodo/error.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <locale>
@@ -10,6 +11,13 @@
 
 namespace kodo {
 inline namespace KODO_PRECISION {
+
+std::optional<Problem> firstOf(std::initializer_list<std::optional<Problem>> checks) {
+    const auto* const first = std::find_if(checks.begin(), checks.end(),
+                                           [](const auto& problem) { return problem.has_value(); });
+    return first == checks.end() ? std::nullopt : *first;
+}
+
 /// A value just beyond a limit must not print as the limit. Uses a stream, since libc++ 13 has no
 /// std::to_chars for floats. Streams of libc++ do not read subnormal numbers, which are printed
 /// with all digits.

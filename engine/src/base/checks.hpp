@@ -3,6 +3,7 @@
 
 #include <kodo/error.hpp>
 
+#include <initializer_list>
 #include <optional>
 #include <string>
 
@@ -15,6 +16,9 @@ inline void refuse(const std::optional<Problem>& problem) {
         throw BadDefinition(*problem);
     }
 }
+
+/// The first problem of several checks. All of them are made, so none may need an earlier one.
+std::optional<Problem> firstOf(std::initializer_list<std::optional<Problem>> checks);
 
 /// The shortest of 6 or more digits that reads back as the same number.
 std::string textOf(Real value);

@@ -92,13 +92,10 @@ std::optional<Problem> checkTimeStep(Real dt) {
 }
 
 std::optional<Problem> check(const MotionRules& rules) {
-    if (auto problem = checkRange("linearDamping", rules.linearDamping, 0, kMaxDamping, "1/s")) {
-        return problem;
-    }
-    if (auto problem = checkRange("angularDamping", rules.angularDamping, 0, kMaxDamping, "1/s")) {
-        return problem;
-    }
-    return checkRange("gravityScale", rules.gravityScale, -kMaxGravityScale, kMaxGravityScale);
+    return firstOf(
+        {checkRange("linearDamping", rules.linearDamping, 0, kMaxDamping, "1/s"),
+         checkRange("angularDamping", rules.angularDamping, 0, kMaxDamping, "1/s"),
+         checkRange("gravityScale", rules.gravityScale, -kMaxGravityScale, kMaxGravityScale)});
 }
 
 std::optional<Problem> checkFlags(const char* field, Flags value) {
@@ -192,35 +189,15 @@ std::optional<Problem> check(const BodyDef& def, Real lengthUnit) {
         problem->field = "shape." + problem->field;
         return problem;
     }
-    if (auto problem = checkType(def)) {
-        return problem;
-    }
-    if (auto problem = checkFlags("flags", def.flags)) {
-        return problem;
-    }
-    if (auto problem = checkMatch("required", {def.flags, def.required})) {
-        return problem;
-    }
-    if (auto problem = checkPosition("position", def.position, lengthUnit)) {
-        return problem;
-    }
-    if (auto problem = checkRotation("rotation", def.rotation)) {
-        return problem;
-    }
-    if (auto problem = checkVelocity("velocity", def.velocity, lengthUnit)) {
-        return problem;
-    }
-    if (auto problem = checkAngularVelocity("angularVelocity", def.angularVelocity)) {
-        return problem;
-    }
-    if (auto problem = check(def.material)) {
-        return problem;
-    }
-    if (auto problem = checkDensity(def.density)) {
-        return problem;
-    }
-    if (auto problem =
-            check(MotionRules{def.linearDamping, def.angularDamping, def.gravityScale})) {
+    if (auto problem = firstOf(
+            {checkType(def), checkFlags("flags", def.flags),
+             checkMatch("required", {def.flags, def.required}),
+             checkPosition("position", def.position, lengthUnit),
+             checkRotation("rotation", def.rotation),
+             checkVelocity("velocity", def.velocity, lengthUnit),
+             checkAngularVelocity("angularVelocity", def.angularVelocity), check(def.material),
+             checkDensity(def.density),
+             check(MotionRules{def.linearDamping, def.angularDamping, def.gravityScale})})) {
         return problem;
     }
     const std::vector<Part> parts = partsOf(def);

@@ -50,13 +50,8 @@ std::optional<Problem> checkOfShape(const char* what, Real value, Real low, Real
 } // namespace
 
 std::optional<Problem> checkRules(const Part& part) {
-    if (auto problem = check(part.material)) {
-        return problem;
-    }
-    if (auto problem = checkDensity(part.density)) {
-        return problem;
-    }
-    return part.filter ? checkPartFilter(*part.filter) : std::nullopt;
+    return firstOf({check(part.material), checkDensity(part.density),
+                    part.filter ? checkPartFilter(*part.filter) : std::nullopt});
 }
 
 std::optional<Problem> checkMass(const Mass& mass) {

@@ -11,53 +11,37 @@ namespace {
 constexpr Real kMostCoefficient = Real(1e18); // products with masses and speeds stay finite
 
 std::optional<Problem> checkDrag(const DragLaw& law, Vec2 air, Real unit) {
-    if (auto problem = checkRange("field.linear", law.linear, 0, kMostCoefficient)) {
-        return problem;
-    }
-    if (auto problem = checkRange("field.quadratic", law.quadratic, 0, kMostCoefficient)) {
-        return problem;
-    }
-    return checkVelocity("field.air", air, unit);
+    return firstOf({checkRange("field.linear", law.linear, 0, kMostCoefficient),
+                    checkRange("field.quadratic", law.quadratic, 0, kMostCoefficient),
+                    checkVelocity("field.air", air, unit)});
 }
 
 std::optional<Problem> checkWind(const Wind& wind, Real unit) {
-    if (wind.region()) {
-        if (auto problem = checkBox("field.region", *wind.region())) {
-            return problem;
-        }
-    }
-    return checkDrag(wind.law(), wind.velocity(), unit);
+    return firstOf({wind.region() ? checkBox("field.region", *wind.region()) : std::nullopt,
+                    checkDrag(wind.law(), wind.velocity(), unit)});
 }
 
 std::optional<Problem> checkAttractor(const Attractor& attractor, Real unit) {
     if (attractor.law() > Attractor::Law::Linear) {
         return Problem{"field.law", "must be one of the enumerators of Attractor::Law"};
     }
-    if (auto problem = checkPosition("field.center", attractor.center(), unit)) {
-        return problem;
-    }
-    if (auto problem = checkRange("field.strength", attractor.strength(), -kMostCoefficient,
-                                  kMostCoefficient)) {
-        return problem;
-    }
-    return checkRange("field.softening", attractor.softening(), 0, kMostCoefficient);
+    return firstOf(
+        {checkPosition("field.center", attractor.center(), unit),
+         checkRange("field.strength", attractor.strength(), -kMostCoefficient, kMostCoefficient),
+         checkRange("field.softening", attractor.softening(), 0, kMostCoefficient)});
 }
 
 std::optional<Problem> checkBuoyancy(const Buoyancy& buoyancy, Real unit) {
-    if (auto problem = checkRange("field.density", buoyancy.fluid().density, 0, kMostCoefficient)) {
-        return problem;
-    }
-    if (auto problem = checkRange("field.drag", buoyancy.fluid().drag, 0, kMostCoefficient)) {
-        return problem;
-    }
-    if (auto problem = checkPosition("field.surface", buoyancy.surface(), unit)) {
-        return problem;
-    }
-    if (buoyancy.gravity() == Vec2{}) {
-        return Problem{"field.gravity",
-                       "must not be zero: its direction defines the upward side of the fluid"};
-    }
-    return checkVelocity("field.gravity", buoyancy.gravity(), unit, "m/s^2");
+    const auto directed =
+        buoyancy.gravity() != Vec2{}
+            ? std::nullopt
+            : std::optional(
+                  Problem{"field.gravity",
+                          "must not be zero: its direction defines the upward side of the fluid"});
+    return firstOf({checkRange("field.density", buoyancy.fluid().density, 0, kMostCoefficient),
+                    checkRange("field.drag", buoyancy.fluid().drag, 0, kMostCoefficient),
+                    checkPosition("field.surface", buoyancy.surface(), unit), directed,
+                    checkVelocity("field.gravity", buoyancy.gravity(), unit, "m/s^2")});
 }
 
 } // namespace

@@ -37,33 +37,19 @@ std::optional<Problem> checkRule(const char* field, MixRule rule) {
 
 std::optional<Problem> check(const Material& material) {
     constexpr Real kMost = Real(1e6);
-    if (auto problem = checkRange("material.kineticFriction", material.kineticFriction, 0, kMost)) {
-        return problem;
+    auto statics = checkRange("material.staticFriction", material.staticFriction,
+                              material.kineticFriction, kMost);
+    if (statics && material.staticFriction < material.kineticFriction) {
+        statics->reason += "; the lower limit is material.kineticFriction: set both, as "
+                           "withFriction() does";
     }
-    if (auto problem = checkRange("material.staticFriction", material.staticFriction,
-                                  material.kineticFriction, kMost)) {
-        if (material.staticFriction < material.kineticFriction) {
-            problem->reason += "; the lower limit is material.kineticFriction: set both, as "
-                               "withFriction() does";
-        }
-        return problem;
-    }
-    if (auto problem =
-            checkRange("material.restitution", material.restitution, 0, kMaxRestitution)) {
-        return problem;
-    }
-    if (auto problem =
-            checkRange("material.rollingResistance", material.rollingResistance, 0, kMost)) {
-        return problem;
-    }
-    if (auto problem = checkRange("material.surfaceSpeed", material.surfaceSpeed, -kMaxSpeed,
-                                  kMaxSpeed, "m/s")) {
-        return problem;
-    }
-    if (auto problem = checkRule("material.frictionRule", material.frictionRule)) {
-        return problem;
-    }
-    return checkRule("material.restitutionRule", material.restitutionRule);
+    return firstOf(
+        {checkRange("material.kineticFriction", material.kineticFriction, 0, kMost), statics,
+         checkRange("material.restitution", material.restitution, 0, kMaxRestitution),
+         checkRange("material.rollingResistance", material.rollingResistance, 0, kMost),
+         checkRange("material.surfaceSpeed", material.surfaceSpeed, -kMaxSpeed, kMaxSpeed, "m/s"),
+         checkRule("material.frictionRule", material.frictionRule),
+         checkRule("material.restitutionRule", material.restitutionRule)});
 }
 
 Material mix(const Material& a, const Material& b) {

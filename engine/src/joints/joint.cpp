@@ -5,8 +5,6 @@
 #include "bodies/body_checks.hpp"
 
 #include <cmath>
-#include <initializer_list>
-#include <limits>
 #include <string>
 
 namespace kodo {
@@ -30,25 +28,16 @@ std::optional<Problem> checkBreak(const char* field, Real value, const char* uni
 }
 
 std::optional<Problem> checkEnds(const JointEnds& ends, Real unit) {
-    if (auto problem = checkSet("ends.a", ends.a)) {
-        return problem;
-    }
-    if (auto problem = checkSet("ends.b", ends.b)) {
+    if (auto problem = firstOf({checkSet("ends.a", ends.a), checkSet("ends.b", ends.b)})) {
         return problem;
     }
     if (ends.a == ends.b) {
         return Problem{"ends", "must be two different bodies"};
     }
-    if (auto problem = checkPosition("ends.anchorA", ends.anchorA, unit)) {
-        return problem;
-    }
-    if (auto problem = checkPosition("ends.anchorB", ends.anchorB, unit)) {
-        return problem;
-    }
-    if (auto problem = checkBreak("ends.breakForce", ends.breakForce, "N")) {
-        return problem;
-    }
-    return checkBreak("ends.breakTorque", ends.breakTorque, "N m");
+    return firstOf({checkPosition("ends.anchorA", ends.anchorA, unit),
+                    checkPosition("ends.anchorB", ends.anchorB, unit),
+                    checkBreak("ends.breakForce", ends.breakForce, "N"),
+                    checkBreak("ends.breakTorque", ends.breakTorque, "N m")});
 }
 
 std::optional<Problem> checkLimits(const std::optional<Range>& limits, Real low, Real high,
@@ -67,29 +56,7 @@ std::optional<Problem> checkLimits(const std::optional<Range>& limits, Real low,
     return checkRange("limits.upper", limits->upper, low, high, unit);
 }
 
-/// A value and its range, for checkFields.
-struct Field {
-    const char* name;
-    Real value;
-    Real low;
-    Real high;
-    const char* unit;
-};
-
-std::optional<Problem> checkFields(std::initializer_list<Field> fields) {
-    for (const Field& field : fields) {
-        auto problem = std::isinf(field.high)
-                           ? checkNotNegative(field.name, field.value, field.unit)
-                           : checkRange(field.name, field.value, field.low, field.high, field.unit);
-        if (problem) {
-            return problem;
-        }
-    }
-    return std::nullopt;
-}
-
 constexpr Real kAngle = Real(1e4);
-constexpr Real kNoLimit = std::numeric_limits<Real>::infinity(); // the value itself is finite
 
 std::optional<Problem> checkReference(Real reference) {
     return checkRange("reference", reference, -kAngle, kAngle, "rad");
@@ -98,40 +65,39 @@ std::optional<Problem> checkReference(Real reference) {
 /// Stiffness 0 means no spring.
 template <typename Joint>
 std::optional<Problem> checkSpring(const Joint& joint) {
-    return checkFields(
-        {{"hertz", joint.hertz, 0, Real(1e4), "Hz"}, {"damping", joint.damping, 0, Real(1e4), ""}});
+    return firstOf({checkRange("hertz", joint.hertz, 0, Real(1e4), "Hz"),
+                    checkRange("damping", joint.damping, 0, Real(1e4))});
+}
+
+/// A motor that turns: rad/s and N m.
+template <typename Joint>
+std::optional<Problem> checkRotaryMotor(const Joint& joint) {
+    return firstOf({checkAngularVelocity("motorSpeed", joint.motorSpeed),
+                    checkNotNegative("motorTorque", joint.motorTorque, "N m")});
+}
+
+/// A motor along a line: m/s and N.
+template <typename Joint>
+std::optional<Problem> checkLinearMotor(const Joint& joint, Real unit) {
+    const Real speed = kMaxSpeed * unit;
+    return firstOf({checkRange("motorSpeed", joint.motorSpeed, -speed, speed, "m/s"),
+                    checkNotNegative("motorForce", joint.motorForce, "N")});
 }
 
 std::optional<Problem> checkKind(const RevoluteJoint& joint, Real) {
-    if (auto problem = checkReference(joint.reference)) {
-        return problem;
-    }
-    if (auto problem =
-            checkFields({{"motorSpeed", joint.motorSpeed, -kMaxSpeed, kMaxSpeed, "rad/s"},
-                         {"motorTorque", joint.motorTorque, 0, kNoLimit, "N m"}})) {
-        return problem;
-    }
-    if (auto problem = checkSpring(joint)) {
-        return problem;
-    }
-    if (auto problem = checkRange("target", joint.target, -kAngle, kAngle, "rad")) {
-        return problem;
-    }
-    return checkLimits(joint.limits, -kAngle, kAngle, "rad");
+    return firstOf({checkReference(joint.reference), checkRotaryMotor(joint), checkSpring(joint),
+                    checkRange("target", joint.target, -kAngle, kAngle, "rad"),
+                    checkLimits(joint.limits, -kAngle, kAngle, "rad")});
 }
 
 std::optional<Problem> checkKind(const FixedJoint& joint, Real) {
-    auto problem = checkReference(joint.reference);
-    return problem ? problem : checkSpring(joint);
+    return firstOf({checkReference(joint.reference), checkSpring(joint)});
 }
 
 std::optional<Problem> checkKind(const DistanceJoint& joint, Real unit) {
-    const Real speed = kMaxSpeed * unit;
-    if (auto problem = checkFields({{"length", joint.length, 0, kMaxCoordinate * unit, "m"},
-                                    {"hertz", joint.hertz, 0, Real(1e4), "Hz"},
-                                    {"damping", joint.damping, 0, Real(1e4), ""},
-                                    {"motorSpeed", joint.motorSpeed, -speed, speed, "m/s"},
-                                    {"motorForce", joint.motorForce, 0, kNoLimit, "N"}})) {
+    const Real most = kMaxCoordinate * unit;
+    if (auto problem = firstOf({checkRange("length", joint.length, 0, most, "m"),
+                                checkSpring(joint), checkLinearMotor(joint, unit)})) {
         return problem;
     }
     if (joint.hertz == 0 && !joint.limits && joint.motorForce == 0) {
@@ -139,55 +105,28 @@ std::optional<Problem> checkKind(const DistanceJoint& joint, Real unit) {
                                 "hertz for a spring, equal limits for a rod, limits from 0 to "
                                 "the length of a rope, or motorForce for a winch"};
     }
-    return checkLimits(joint.limits, 0, kMaxCoordinate * unit, "m");
+    return checkLimits(joint.limits, 0, most, "m");
 }
 
 std::optional<Problem> checkKind(const PrismaticJoint& joint, Real unit) {
-    if (auto problem = checkUnit("axis", joint.axis)) {
-        return problem;
-    }
-    if (auto problem = checkReference(joint.reference)) {
-        return problem;
-    }
-    const Real speed = kMaxSpeed * unit;
-    if (auto problem = checkFields({{"motorSpeed", joint.motorSpeed, -speed, speed, "m/s"},
-                                    {"motorForce", joint.motorForce, 0, kNoLimit, "N"}})) {
-        return problem;
-    }
-    if (auto problem = checkSpring(joint)) {
-        return problem;
-    }
     const Real most = kMaxCoordinate * unit;
-    if (auto problem = checkRange("target", joint.target, -most, most, "m")) {
-        return problem;
-    }
-    return checkLimits(joint.limits, -most, most, "m");
+    return firstOf({checkUnit("axis", joint.axis), checkReference(joint.reference),
+                    checkLinearMotor(joint, unit), checkSpring(joint),
+                    checkRange("target", joint.target, -most, most, "m"),
+                    checkLimits(joint.limits, -most, most, "m")});
 }
 
 std::optional<Problem> checkKind(const WheelJoint& joint, Real unit) {
-    if (auto problem = checkUnit("axis", joint.axis)) {
-        return problem;
-    }
-    if (auto problem =
-            checkFields({{"motorSpeed", joint.motorSpeed, -kMaxSpeed, kMaxSpeed, "rad/s"},
-                         {"motorTorque", joint.motorTorque, 0, kNoLimit, "N m"}})) {
-        return problem;
-    }
-    if (auto problem = checkSpring(joint)) {
-        return problem;
-    }
-    return checkLimits(joint.limits, -kMaxCoordinate * unit, kMaxCoordinate * unit, "m");
+    const Real most = kMaxCoordinate * unit;
+    return firstOf({checkUnit("axis", joint.axis), checkRotaryMotor(joint), checkSpring(joint),
+                    checkLimits(joint.limits, -most, most, "m")});
 }
 
 std::optional<Problem> checkKind(const PulleyJoint& joint, Real unit) {
-    if (auto problem = checkPosition("groundA", joint.groundA, unit)) {
-        return problem;
-    }
-    if (auto problem = checkPosition("groundB", joint.groundB, unit)) {
-        return problem;
-    }
-    return checkFields({{"length", joint.length, 0, kMaxCoordinate * unit, "m"},
-                        {"ratio", joint.ratio, Real(1e-3), Real(1e3), ""}});
+    return firstOf({checkPosition("groundA", joint.groundA, unit),
+                    checkPosition("groundB", joint.groundB, unit),
+                    checkRange("length", joint.length, 0, kMaxCoordinate * unit, "m"),
+                    checkRange("ratio", joint.ratio, Real(1e-3), Real(1e3))});
 }
 
 std::optional<Problem> checkKind(const GearJoint& joint, Real) {
@@ -200,10 +139,8 @@ std::optional<Problem> checkKind(const GearJoint& joint, Real) {
         return Problem{"ratio", "must have a size of 0.001 to 1000, but is " + textOf(joint.ratio) +
                                     ": swap a and b for its inverse"};
     }
-    if (auto problem = checkRange("ratio", joint.ratio, -kMost, kMost, "")) {
-        return problem;
-    }
-    return joint.rack ? checkUnit("rack", *joint.rack) : std::nullopt;
+    return firstOf({checkRange("ratio", joint.ratio, -kMost, kMost),
+                    joint.rack ? checkUnit("rack", *joint.rack) : std::nullopt});
 }
 
 std::optional<Problem> checkKind(const FilterJoint& joint, Real) {
@@ -219,14 +156,12 @@ std::optional<Problem> checkKind(const FilterJoint& joint, Real) {
 }
 
 std::optional<Problem> checkKind(const MotorJoint& joint, Real) {
-    if (auto problem = checkReference(joint.reference)) {
-        return problem;
-    }
+    const Real softest = joint.hertz == 0 ? 0 : Real(1e-3);
     if (auto problem =
-            checkFields({{"force", joint.force, 0, kNoLimit, "N"},
-                         {"torque", joint.torque, 0, kNoLimit, "N m"},
-                         {"hertz", joint.hertz, joint.hertz == 0 ? 0 : Real(1e-3), Real(1e4), "Hz"},
-                         {"damping", joint.damping, 0, Real(1e4), ""}})) {
+            firstOf({checkReference(joint.reference), checkNotNegative("force", joint.force, "N"),
+                     checkNotNegative("torque", joint.torque, "N m"),
+                     checkRange("hertz", joint.hertz, softest, Real(1e4), "Hz"),
+                     checkRange("damping", joint.damping, 0, Real(1e4))})) {
         return problem;
     }
     if (joint.force == 0 && joint.torque == 0) {
@@ -237,18 +172,12 @@ std::optional<Problem> checkKind(const MotorJoint& joint, Real) {
 }
 
 std::optional<Problem> checkMouse(const MouseJoint& mouse, Real unit) {
-    if (auto problem = checkSet("body", mouse.body)) {
-        return problem;
-    }
-    if (auto problem = checkPosition("anchor", mouse.anchor, unit)) {
-        return problem;
-    }
-    if (auto problem = checkPosition("target", mouse.target, unit)) {
-        return problem;
-    }
-    if (auto problem = checkFields({{"force", mouse.force, 0, kNoLimit, "N"},
-                                    {"hertz", mouse.hertz, Real(1e-3), Real(1e4), "Hz"},
-                                    {"damping", mouse.damping, 0, Real(1e4), ""}})) {
+    if (auto problem =
+            firstOf({checkSet("body", mouse.body), checkPosition("anchor", mouse.anchor, unit),
+                     checkPosition("target", mouse.target, unit),
+                     checkNotNegative("force", mouse.force, "N"),
+                     checkRange("hertz", mouse.hertz, Real(1e-3), Real(1e4), "Hz"),
+                     checkRange("damping", mouse.damping, 0, Real(1e4))})) {
         return problem;
     }
     if (mouse.force == 0) {

@@ -32,32 +32,18 @@ std::optional<Problem> checkRadius(Real radius) {
 }
 
 std::optional<Problem> check(const Circle& circle) {
-    if (auto problem = checkPoint("center", circle.center)) {
-        return problem;
-    }
-    return checkSize("radius", circle.radius);
+    return firstOf({checkPoint("center", circle.center), checkSize("radius", circle.radius)});
 }
 
 std::optional<Problem> check(const Capsule& capsule) {
-    auto problem = checkPoint("from", capsule.from);
-    problem = problem ? problem : checkPoint("to", capsule.to);
-    return problem ? problem : checkSize("radius", capsule.radius);
+    return firstOf({checkPoint("from", capsule.from), checkPoint("to", capsule.to),
+                    checkSize("radius", capsule.radius)});
 }
 
 std::optional<Problem> check(const Box& box) {
-    if (auto problem = checkSize("width", box.width)) {
-        return problem;
-    }
-    if (auto problem = checkSize("height", box.height)) {
-        return problem;
-    }
-    if (auto problem = checkRotation("rotation", box.rotation)) {
-        return problem;
-    }
-    if (auto problem = checkRadius(box.radius)) {
-        return problem;
-    }
-    return checkPoint("center", box.center);
+    return firstOf({checkSize("width", box.width), checkSize("height", box.height),
+                    checkRotation("rotation", box.rotation), checkRadius(box.radius),
+                    checkPoint("center", box.center)});
 }
 
 std::optional<Problem> checkDistinct(const std::vector<Vec2>& corners) {
@@ -134,10 +120,7 @@ std::optional<Problem> check(const Polygon& polygon, Real flatness = kFlatness) 
             return problem;
         }
     }
-    if (auto problem = checkRadius(polygon.radius)) {
-        return problem;
-    }
-    if (auto problem = checkDistinct(polygon.corners)) {
+    if (auto problem = firstOf({checkRadius(polygon.radius), checkDistinct(polygon.corners)})) {
         return problem;
     }
     return checkConvex(polygon.corners, flatness);
@@ -160,10 +143,8 @@ std::optional<Problem> checkEnd(const char* field, Vec2 point, Vec2 neighbour, c
 }
 
 std::optional<Problem> check(const Segment& segment) {
-    if (auto problem = checkPoint("from", segment.from)) {
-        return problem;
-    }
-    if (auto problem = checkEnd("to", segment.to, segment.from, "from")) {
+    if (auto problem = firstOf(
+            {checkPoint("from", segment.from), checkEnd("to", segment.to, segment.from, "from")})) {
         return problem;
     }
     if (segment.oneSided && segment.radius > 0) {
@@ -173,10 +154,8 @@ std::optional<Problem> check(const Segment& segment) {
 }
 
 std::optional<Problem> check(const Plane& plane) {
-    if (auto problem = checkUnit("normal", plane.normal)) {
-        return problem;
-    }
-    return checkRange("offset", plane.offset, -kMaxLength, kMaxLength, "m");
+    return firstOf({checkUnit("normal", plane.normal),
+                    checkRange("offset", plane.offset, -kMaxLength, kMaxLength, "m")});
 }
 
 Vec2 pointOf(const Heightmap& map, std::size_t i) {
@@ -184,10 +163,8 @@ Vec2 pointOf(const Heightmap& map, std::size_t i) {
 }
 
 std::optional<Problem> check(const Heightmap& map) {
-    if (auto problem = checkPoint("origin", map.origin)) {
-        return problem;
-    }
-    if (auto problem = checkSize("spacing", map.spacing)) {
+    if (auto problem =
+            firstOf({checkPoint("origin", map.origin), checkSize("spacing", map.spacing)})) {
         return problem;
     }
     const std::size_t n = map.heights.size();

@@ -67,13 +67,9 @@ void requireEndsAlive(const Bodies& bodies, const JointDef& def) {
 } // namespace
 
 std::optional<Problem> check(const WorldDef& def) {
-    if (auto problem = checkRange("lengthUnit", def.lengthUnit, Real(1e-6), Real(1e6), "m")) {
-        return problem;
-    }
-    if (auto problem = checkVelocity("gravity", def.gravity, def.lengthUnit, "m/s^2")) {
-        return problem;
-    }
-    return check(def.settings);
+    return firstOf({checkRange("lengthUnit", def.lengthUnit, Real(1e-6), Real(1e6), "m"),
+                    checkVelocity("gravity", def.gravity, def.lengthUnit, "m/s^2"),
+                    check(def.settings)});
 }
 
 WorldImpl::WorldImpl(const WorldDef& def) : tolerances_() {
