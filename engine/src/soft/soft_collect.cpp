@@ -77,10 +77,30 @@ void SoftSolver::beginCollecting(const Bodies& bodies, ContactSet& contactSet,
     blocks.begin(contactSet.store().all(), step.settings.has(Feature::Friction),
                  step.settings.has(Feature::RollingResistance));
     clearMarks(bodies, joints);
-    if (contactSet.mayBounce()) {
-        contactSet.store().lists(); // built here, read on any thread
-    }
     newcomers_.clear();
+}
+
+/// Finds how the bodies of contacts with restitution part. Before any contact moves to another
+/// lane, since each of these looks at the contacts of its bodies.
+void SoftSolver::findDepartures(const Collecting& run) {
+    if (!run.contactSet.mayBounce() || !run.step.settings.has(Feature::Restitution)) {
+        return;
+    }
+    ContactStore& store = run.contactSet.store();
+    const std::span<const std::uint32_t> live = run.contactSet.live();
+    const Real slop = run.step.tolerances.slop;
+    store.lists(); // built here, read on any thread
+    departures_.resize(store.contacts().size());
+    run.step.team.forEach(live.size(), kNewcomersPerPiece, [&](std::size_t from, std::size_t to) {
+        for (const std::uint32_t place : live.subspan(from, to - from)) {
+            if (run.contactSet.summaries()[place].bounces &&
+                needsRow(run.bodies, store, place, true, slop)) {
+                const bool held = isJointed(run.bodies, run.joints, store.contacts()[place].key);
+                departures_[place] =
+                    departureOf(run.bodies, store, place, !held, slop, run.step.dt);
+            }
+        }
+    });
 }
 
 /// Collects the contacts for the blocks, and marks bodies that are touched or crowded. A body
@@ -90,11 +110,12 @@ void SoftSolver::collect(const Bodies& bodies, ContactSet& contactSet, const Joi
                          const Step& step) {
     const std::span<const std::uint32_t> live = contactSet.live();
     beginCollecting(bodies, contactSet, joints, step);
+    const Collecting run{bodies, contactSet, joints.lists(), step};
+    findDepartures(run);
     found_.gather(step.team, live.size(), kNewcomersPerPiece, newcomers_,
                   [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& newcomers) {
                       forPieces(first, last, kNewcomersPerPiece, [&](auto from, auto to) {
-                          collectPiece({bodies, contactSet, joints.lists(), step},
-                                       live.subspan(from, to - from), newcomers);
+                          collectPiece(run, live.subspan(from, to - from), newcomers);
                       });
                   });
 }
@@ -131,9 +152,9 @@ void SoftSolver::collectPiece(const Collecting& run, std::span<const std::uint32
             store.leavePasses(place, bodies);
             return;
         }
-        const bool bounces = restitution && contacts[place].bounces &&
-                             !isJointed(bodies, run.joints, contacts[place].key);
-        const Departure departure = departureOf(bodies, store, place, bounces, slop, step.dt);
+        const Departure departure = restitution && contacts[place].bounces
+                                        ? departures_[place]
+                                        : departureOf(bodies, store, place, false, slop, step.dt);
         if (departure == Departure::BetweenImpacts) {
             store.leavePasses(place, bodies);
             store.lane(place).clearImpulses();

@@ -13,6 +13,7 @@
 #include <span>
 #include <vector>
 
+#include "impacts/departure.hpp"
 #include "lanes/block_partitions.hpp"
 #include "lanes/contact_blocks.hpp"
 #include "soft/load_release.hpp"
@@ -92,6 +93,7 @@ private:
 
     void collect(const Bodies& bodies, ContactSet& contactSet, const JointSet& joints,
                  const Step& step);
+    void findDepartures(const Collecting& run);
     void collectPiece(const Collecting& run, std::span<const std::uint32_t> places,
                       std::vector<std::uint32_t>& newcomers);
     void markExposure(const Collecting& run, std::uint32_t place, bool leaves);
@@ -134,6 +136,7 @@ private:
     std::vector<Phase> phases_;            // queued for the worker team
     std::vector<std::uint32_t> newcomers_; // indices of contacts that need a lane
     ParallelCollector<std::uint32_t> found_;
+    std::vector<Departure> departures_;     // by slot, of contacts with restitution
     std::vector<ContactExposure> exposure_; // by body
     std::vector<std::uint8_t> near_;        // by body: marks that determine exposure_
     std::vector<std::uint8_t> touched_;
