@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A headless Chromium, and a server of static files: for page_test.py and site_test.py."""
+"""A headless Chromium, a server of static files, and the course of a test: for the tests beside it."""
 import base64
 import contextlib
 import functools
@@ -7,8 +7,10 @@ import http.server
 import json
 import shutil
 import subprocess
+import sys
 import tempfile
 import threading
+import time
 import urllib.error
 import urllib.request
 
@@ -139,12 +141,9 @@ def chromium(preferences=None):
             browser.close()
 
 
-def missing():
-    """What has to be installed; empty if nothing."""
-    return [name for name in ("chromium", "chromedriver") if shutil.which(name) is None]
-
-
 class Trial:
+    """A test of pages: what held is printed, what did not is counted."""
+
     def __init__(self, browser, address, pictures):
         self.browser = browser
         self.address = address
@@ -158,3 +157,43 @@ class Trial:
 
     def shot(self, name):
         (self.pictures / f"browser-{name}.png").write_bytes(self.browser.shot())
+
+    def wait(self, script, seconds=20):
+        """Waits until an expression is true; the seconds that it took, or None after some."""
+        start = time.monotonic()
+        while time.monotonic() < start + seconds:
+            if self.browser.run(f"try {{ return Boolean({script}); }} catch (e) {{ return false; }}"):
+                return time.monotonic() - start
+            time.sleep(0.05)
+        return None
+
+    def number(self, expression):
+        return self.browser.run(f"return {expression};")
+
+    def fits(self, name):
+        wide = self.number("document.documentElement.scrollWidth - window.innerWidth")
+        self.expect(wide <= 0, f"{name} is no wider than the screen ({wide} pixels)")
+
+
+def judged(trials):
+    """Prints how many expectations of the trials did not hold; the exit code."""
+    failed = sum(len(trial.failed) for trial in trials)
+    print(f"{failed} failed")
+    return 1 if failed else 0
+
+
+@contextlib.contextmanager
+def trial_of(kind, page, pictures, *more, preferences=None):
+    """A Trial of a class in a new browser. Of a folder as `page` its server has the address; of a file
+    its own. Ends the program with 77 without a browser. At its end no page may have reported an error."""
+    lacks = [name for name in ("chromium", "chromedriver") if shutil.which(name) is None]
+    if lacks:
+        print("Missing: " + ", ".join(lacks))
+        sys.exit(77)
+    pictures.mkdir(parents=True, exist_ok=True)
+    local = contextlib.nullcontext(page.resolve().as_uri()) if page.is_file() else served(page)
+    with local as address, chromium(preferences) as browser:
+        trial = kind(browser, address, pictures, *more)
+        yield trial
+        faults = browser.faults()
+        trial.expect(not faults, f"the browser reports no error {faults[:3]}")

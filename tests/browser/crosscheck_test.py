@@ -11,7 +11,7 @@ import subprocess
 import sys
 import time
 
-from browser import Trial, chromium, missing
+from browser import Trial, judged, trial_of
 
 BALL = "BallBouncesAtRestitution08"
 PIECES = "BlockThatBreaksInFlightKeepsItsMomentum"
@@ -141,20 +141,12 @@ class Page(Trial):
 
 
 def main(page, program, pictures):
-    if missing():
-        print("Missing: " + ", ".join(missing()))
-        return 77
-    pictures.mkdir(parents=True, exist_ok=True)
     scenes = json.loads(subprocess.run([program], stdout=subprocess.PIPE, check=False).stdout)
-    with chromium() as browser:
-        trial = Page(browser, page.resolve().as_uri(), pictures, scenes)
-        browser.open(trial.address)
+    with trial_of(Page, page, pictures, scenes) as trial:
+        trial.browser.open(trial.address)
         for part in (trial.data, trial.play, trial.marks, trial.pieces, trial.every):
             part()
-        faults = browser.faults()
-        trial.expect(not faults, f"the browser reports no error {faults[:3]}")
-    print(f"{len(trial.failed)} failed")
-    return 1 if trial.failed else 0
+    return judged([trial])
 
 
 if __name__ == "__main__":

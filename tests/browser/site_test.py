@@ -8,7 +8,7 @@ import pathlib
 import sys
 import time
 
-from browser import Trial, chromium, missing, served
+from browser import Trial, judged, trial_of
 
 SIZES = ((360, 640), (1280, 720), (1920, 1080))
 FIRST_FRAME = 3.0  # s after the navigation
@@ -29,22 +29,6 @@ FRAME_WORK = """const least = (work) => Math.min(...Array.from({ length: 120 }, 
 
 
 class Site(Trial):
-    def wait(self, script, seconds=20):
-        """Waits until an expression is true; false after some seconds."""
-        end = time.monotonic() + seconds
-        while time.monotonic() < end:
-            if self.browser.run(f"try {{ return Boolean({script}); }} catch (e) {{ return false; }}"):
-                return True
-            time.sleep(0.05)
-        return False
-
-    def number(self, expression):
-        return self.browser.run(f"return {expression};")
-
-    def fits(self, name):
-        wide = self.number("document.documentElement.scrollWidth - window.innerWidth")
-        self.expect(wide <= 0, f"{name} is no wider than the screen ({wide} pixels)")
-
     def start_page(self):
         for width, height in SIZES:
             self.browser.resize(width, height)
@@ -212,37 +196,27 @@ class Site(Trial):
         self.shot("frames")
 
 
-def refused(page, pictures):
+def refused(site):
     """With storage refused, all pages work."""
-    preferences = {"profile.default_content_setting_values.cookies": 2}
-    with served(page) as address, chromium(preferences) as browser:
-        site = Site(browser, address, pictures)
-        browser.open(address)
-        site.expect(site.wait("(() => { try { localStorage.length; return false; } catch { return true; } })()"),
-                    "storage is refused")
-        site.expect(site.wait("window.start.world.stepCount() > 20"), "the start page runs then")
-        site.expect(site.scene("Pyramid") and site.wait("sandbox.kodo.sandbox_tick() > 10"),
-                    "the sandbox runs then")
-        browser.open(address + "apart/index.html")
-        site.expect(site.wait("Module._gameState(0) === 0"), "the title of the game appears then")
-        return site.failed
+    site.browser.open(site.address)
+    site.expect(site.wait("(() => { try { localStorage.length; return false; } catch { return true; } })()"),
+                "storage is refused")
+    site.expect(site.wait("window.start.world.stepCount() > 20"), "the start page runs then")
+    site.expect(site.scene("Pyramid") and site.wait("sandbox.kodo.sandbox_tick() > 10"),
+                "the sandbox runs then")
+    site.browser.open(site.address + "apart/index.html")
+    site.expect(site.wait("Module._gameState(0) === 0"), "the title of the game appears then")
 
 
 def main(page, pictures):
-    if missing():
-        print("Missing: " + ", ".join(missing()))
-        return 77
-    pictures.mkdir(parents=True, exist_ok=True)
-    with served(page) as address, chromium() as browser:
-        site = Site(browser, address, pictures)
+    with trial_of(Site, page, pictures) as site:
         for part in (site.start_page, site.examples, site.sandbox, site.verdict, site.keyboard, site.share,
                      site.touch, site.frames):
             part()
-        faults = browser.faults()
-        site.expect(not faults, f"the browser reports no error {faults[:3]}")
-    failed = site.failed + refused(page, pictures)
-    print(f"{len(failed)} failed")
-    return 1 if failed else 0
+    preferences = {"profile.default_content_setting_values.cookies": 2}
+    with trial_of(Site, page, pictures, preferences=preferences) as without_storage:
+        refused(without_storage)
+    return judged([site, without_storage])
 
 
 if __name__ == "__main__":
