@@ -47,12 +47,6 @@ mirror = true
 )" + more);
 }
 
-void play(Game& game, int ticks) {
-    for (int i = 0; i < ticks; ++i) {
-        game.tick({});
-    }
-}
-
 std::size_t fallen(const Game& game) {
     return static_cast<std::size_t>(
         std::count_if(game.blocks().begin(), game.blocks().end(),
@@ -66,7 +60,7 @@ void toss(Game& game, std::size_t index, Vec2 velocity) {
 
 TEST(Building, ABlockOffItsPlaceIsClearedAtOnceAndIsRubble) {
     Game game(columns(), 1);
-    play(game, 60);
+    playOn(game, 60);
     GameTestAccess::countHit(game);
     toss(game, 2, {6, 2});
     const auto let = playUntil<LetGo>(game, {}, 60);
@@ -75,7 +69,7 @@ TEST(Building, ABlockOffItsPlaceIsClearedAtOnceAndIsRubble) {
     EXPECT_EQ(game.blocksLeft(), 5);
     EXPECT_EQ(game.score(), 0) << "it has not landed";
     EXPECT_EQ(fallen(game), 1u);
-    play(game, static_cast<int>(kFallenTicks + kRubbleTicks) + 2);
+    playOn(game, static_cast<int>(kFallenTicks + kRubbleTicks) + 2);
     EXPECT_EQ(fallen(game), 0u); // it crumbled
     EXPECT_TRUE(game.shards().empty());
     EXPECT_EQ(game.blocksLeft(), 5); // and counted once
@@ -84,7 +78,7 @@ TEST(Building, ABlockOffItsPlaceIsClearedAtOnceAndIsRubble) {
 
 TEST(Building, TheFirstLandingOfAFallenBlockScoresItsPoints) {
     Game game(columns(), 1);
-    play(game, 60);
+    playOn(game, 60);
     GameTestAccess::countHit(game);
     toss(game, 2, {-4, 2}); // from the column onto the ledge
     ASSERT_TRUE(playUntil<LetGo>(game, {}, 60));
@@ -99,10 +93,10 @@ TEST(Building, TheFirstLandingOfAFallenBlockScoresItsPoints) {
 
 TEST(Building, NothingScoresBeforeTheFirstServe) {
     Game game(columns(), 1);
-    play(game, 60);
+    playOn(game, 60);
     toss(game, 2, {6, 2});
     ASSERT_TRUE(playUntil<LetGo>(game, {}, 60));
-    play(game, static_cast<int>(kFallenTicks) + 60);
+    playOn(game, static_cast<int>(kFallenTicks) + 60);
     EXPECT_EQ(game.score(), 0);
     EXPECT_EQ(game.blocksLeft(), 5);
 }
@@ -129,23 +123,23 @@ void shift(Game& game, std::size_t index, Vec2 way) {
 
 TEST(Building, ABlockThatIsCarriedAwayUprightHasNotFallen) {
     Game game(columns(kSled), 1);
-    play(game, 60);
+    playOn(game, 60);
     shift(game, 6, {Real(1.8), 0});
     shift(game, 7, {Real(1.8), 0});
-    play(game, 60);
+    playOn(game, 60);
     EXPECT_EQ(fallen(game), 0u);
     shift(game, 7, {Real(-3), 0}); // off the sled
-    play(game, 60);
+    playOn(game, 60);
     EXPECT_EQ(fallen(game), 1u);
 }
 
 TEST(Building, ABlockFallsOnceWhatCarriedItHasFallen) {
     Game game(columns(), 1);
-    play(game, 60);
+    playOn(game, 60);
     for (const std::size_t i : {0u, 1u, 2u}) { // a column as a whole: one carries the next
         shift(game, i, {Real(1.5), 0});
     }
-    play(game, 60);
+    playOn(game, 60);
     EXPECT_EQ(fallen(game), 3u);
 }
 
@@ -171,16 +165,16 @@ void tossTopOfLeftColumn(Game& game) {
 
 TEST(Building, IsDownOnceHalfOfItsHeightIsLeftAndTheRestComesDown) {
     Game game(columnsAndBricks(), 1);
-    play(game, 60);
+    playOn(game, 60);
     GameTestAccess::countHit(game);
     for (const std::size_t i : {0u, 1u, 2u}) {
         toss(game, i, {8, 0});
     }
-    play(game, 240);
+    playOn(game, 240);
     EXPECT_EQ(game.blocksLeft(), 5);
     EXPECT_FALSE(game.counts().isDown()) << "0.55 of the sum of heights is left";
     tossTopOfLeftColumn(game);
-    play(game, 600);
+    playOn(game, 600);
     EXPECT_EQ(game.blocksLeft(), 4);
     EXPECT_FALSE(game.counts().isDown()) << "no ball is in play";
     GameTestAccess::shoot(game, {0, 16}, {0, -12});
@@ -195,7 +189,7 @@ TEST(Building, IsDownOnceHalfOfItsHeightIsLeftAndTheRestComesDown) {
 
 TEST(Building, ABallLostAfterItIsDownCostsNoLife) {
     Game game(columnsAndBricks(), 1);
-    play(game, 60);
+    playOn(game, 60);
     GameTestAccess::countHit(game);
     for (std::size_t i = 0; i < 6; ++i) {
         toss(game, i, {i < 3 ? Real(8) : Real(-8), 0});
@@ -237,7 +231,7 @@ TEST(Game, AServedBallIsHollowUntilAPaddleThatHasMovedReturnsIt) {
 
 TEST(Building, BlocksThatFallTogetherAreOneCollapse) {
     Game game(columns(), 1);
-    play(game, 60);
+    playOn(game, 60);
     GameTestAccess::countHit(game);
     for (const std::size_t i : {0u, 1u, 2u}) {
         toss(game, i, {6, 0});
@@ -246,7 +240,7 @@ TEST(Building, BlocksThatFallTogetherAreOneCollapse) {
     ASSERT_TRUE(told);
     EXPECT_EQ(told->blocks, 3);
     EXPECT_EQ(told->points, 100 + 200 + 300); // each times its number in the collapse
-    play(game, static_cast<int>(kFallenTicks));
+    playOn(game, static_cast<int>(kFallenTicks));
     EXPECT_EQ(game.score(), told->points) << "all have landed";
     EXPECT_EQ(game.collapse().largest, 3);
     EXPECT_EQ(game.collapse().blocks, 0);
@@ -254,7 +248,7 @@ TEST(Building, BlocksThatFallTogetherAreOneCollapse) {
 
 TEST(Building, ALevelIsWonOnceAllHasFallen) {
     Game game(columns(), 1);
-    play(game, 60);
+    playOn(game, 60);
     for (std::size_t i = 0; i < game.blocks().size(); ++i) {
         toss(game, i, {i < 3 ? kodo::Real(8) : kodo::Real(-8), 0});
     }
@@ -277,7 +271,7 @@ TEST(Building, WhatRestsOnABlockDoesNotWearIt) {
 
 TEST(Building, AFallBreaksGlassByItsTrueImpulse) {
     Game game(columns("", "glass"), 1);
-    play(game, 60);
+    playOn(game, 60);
     // 0.26 kg at 10 m/s: 2.6 N s and the restitution, split over the corners that touch first
     toss(game, 2, {0, 14});
     const auto broke = playUntil<Broke>(game, {}, 400);
@@ -329,11 +323,11 @@ from = [0, 15600]
 to = [0, 12000]
 )"),
               1);
-    play(game, 60);
+    playOn(game, 60);
     GameTestAccess::breakBlock(game, 6, {0, 16}, {});
     game.tick({});
     EXPECT_TRUE(game.links().empty());
-    play(game, 60);
+    playOn(game, 60);
     EXPECT_LT(game.world()[game.blocks().back().body].position().y, 11);
 }
 
@@ -358,7 +352,7 @@ TEST(Building, AfterEachTickAllLinksExist) {
 
 TEST(Building, APullCatchesAFallenBlock) {
     Game game(columns(), 1);
-    play(game, 60);
+    playOn(game, 60);
     GameTestAccess::letGo(game, 0);
     kodo::World& world = GameTestAccess::world(game);
     world[game.blocks()[0].body].setPosition({-1, 4});

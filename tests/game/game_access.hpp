@@ -142,4 +142,23 @@ inline Input towards(kodo::Real x) {
     return input;
 }
 
+/// Plays ticks without input.
+inline void playOn(Game& game, int ticks) {
+    for (int i = 0; i < ticks; ++i) {
+        game.tick({});
+    }
+}
+
+/// A game with a broken power block in the middle of the lowest row, glass and brick above it, and
+/// the paddle below.
+inline Game dropped(const std::string& block) {
+    const std::string row = std::string(7, '.') + block + std::string(7, '.') + "\n";
+    Game game(levelOf("ggggggggggggggg\nbbbbbbbbbbbbbbb\n" + emptyRows(12) + row), 1);
+    for (int tick = 0; tick < 60; ++tick) {
+        game.tick(towards(kCatchX));
+    }
+    GameTestAccess::breakBlock(game, game.blocks().size() - 1, {0, 0});
+    return game;
+}
+
 } // namespace apart

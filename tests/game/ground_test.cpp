@@ -33,12 +33,6 @@ points = [[-11500, 3000], [11500, 3000], [11500, 4000], [-11500, 4000]]
 )");
 }
 
-void playOn(Game& game, int ticks) {
-    for (int i = 0; i < ticks; ++i) {
-        game.tick({});
-    }
-}
-
 bool hasDropped(const Block& block) {
     return block.support == Support::Fallen;
 }

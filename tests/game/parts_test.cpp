@@ -11,18 +11,6 @@ using kodo::Real;
 using kodo::Vec2;
 using support::near;
 
-/// A game with a broken power block in the middle of the lowest row, glass and brick above it, and
-/// the paddle below.
-Game dropped(const std::string& block) {
-    const std::string row = std::string(7, '.') + block + std::string(7, '.') + "\n";
-    Game game(levelOf("ggggggggggggggg\nbbbbbbbbbbbbbbb\n" + emptyRows(12) + row), 1);
-    for (int tick = 0; tick < 60; ++tick) {
-        game.tick(towards(kCatchX));
-    }
-    GameTestAccess::breakBlock(game, game.blocks().size() - 1, {0, 0});
-    return game;
-}
-
 // A5: a part that is caught is welded to the paddle.
 TEST(WeldedPart, IsAPartOfThePaddleAndAddsItsMass) {
     Game game = dropped("W");

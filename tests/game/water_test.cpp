@@ -54,12 +54,6 @@ kodo::BodyView bodyOf(const Game& game, std::size_t index) {
     return game.world()[game.blocks()[index].body];
 }
 
-void play(Game& game, int ticks) {
-    for (int i = 0; i < ticks; ++i) {
-        game.tick({});
-    }
-}
-
 TEST(Water, WetPartIsExactAtAllSides) {
     const kodo::Aabb water{{-2, 0}, {2, 3}};
     const kodo::ConvexShape box = kodo::convexShapeOf(kodo::Box{2, 1}, {});
@@ -80,11 +74,11 @@ TEST(Water, WetPartIsExactAtAllSides) {
 
 TEST(Water, ABlockFloatsWhereItDisplacesItsMassAndSleeps) {
     Game game(levelFrom(lake(kRaft)), 1);
-    play(game, 10 * kTicksPerSecond);
+    playOn(game, 10 * kTicksPerSecond);
     EXPECT_NEAR(bodyOf(game, 1).position().y, 11, 0.002);
     EXPECT_TRUE(bodyOf(game, 1).isAsleep());
     Game high(levelFrom(lake("[[block]]\nkind = \"w\"\nx = 0\ny = 11300\n")), 1);
-    play(high, 10 * kTicksPerSecond);
+    playOn(high, 10 * kTicksPerSecond);
     EXPECT_NEAR(bodyOf(high, 1).position().y, 11, 0.01);
 }
 
@@ -93,7 +87,7 @@ TEST(Water, ALoadedRaftFloatsWhereItDisplacesBoth) {
     Game game(levelFrom(lake("[[block]]\nkind = \"w\"\nx = 0\ny = 10800\n"
                              "[[block]]\nkind = \"w\"\nshape = \"square\"\nx = 0\ny = 11600\n")),
               1);
-    play(game, 10 * kTicksPerSecond);
+    playOn(game, 10 * kTicksPerSecond);
     EXPECT_NEAR(bodyOf(game, 1).position().y, 10.8, 0.003);
     EXPECT_TRUE(bodyOf(game, 1).isAsleep());
 }
@@ -106,20 +100,20 @@ TEST(Water, StoneOfItsDensityIsSlowedAndSplashes) {
     EXPECT_LT(splash->speed, -4); // after a fall of 1.5 m
     EXPECT_NEAR(splash->mass, 0.8 * 1.28, 1e-4);
     const Real speed = -bodyOf(game, 1).velocity().y;
-    play(game, kTicksPerSecond);
+    playOn(game, kTicksPerSecond);
     EXPECT_LT(-bodyOf(game, 1).velocity().y, speed / 2);
 }
 
 TEST(Water, RunsOutThroughABrokenDamAndTakesTheRaftAlong) {
     Game game(levelFrom(lake(kRaft)), 1);
-    play(game, 60);
+    playOn(game, 60);
     GameTestAccess::shoot(game, {1, 6}, {0, 20});
     ASSERT_TRUE(playUntil<Breached>(game, {}, 30));
     EXPECT_TRUE(game.waters()[0].open);
     const std::uint64_t hash = game.stateHash();
     Game copy = game;
-    play(game, 4 * kTicksPerSecond);
-    play(copy, 4 * kTicksPerSecond);
+    playOn(game, 4 * kTicksPerSecond);
+    playOn(copy, 4 * kTicksPerSecond);
     EXPECT_EQ(copy.stateHash(), game.stateHash());
     EXPECT_NE(game.stateHash(), hash);
     EXPECT_TRUE(game.waters()[0].isEmpty());
@@ -133,7 +127,7 @@ TEST(Water, StaysWithoutADam) {
     Game game(levelFrom(closed), 1);
     GameTestAccess::shoot(game, {1, 6}, {0, 20});
     ASSERT_TRUE(playUntil<Broke>(game, {}, 30));
-    play(game, 120);
+    playOn(game, 120);
     EXPECT_FALSE(game.waters()[0].open);
     EXPECT_NE(digestOf(levelFrom(closed)), digestOf(levelFrom(text)));
 }
@@ -148,7 +142,7 @@ TEST(Water, BallsFlyThroughIt) {
         launch.launch = true;
         game.tick(launch);
         const kodo::BodyId ball = GameTestAccess::shoot(game, {-6, 10}, {12, 0});
-        play(game, 20);
+        playOn(game, 20);
         return game.world()[ball].position();
     };
     EXPECT_EQ(placeAfter(wet), placeAfter(dry));
@@ -179,10 +173,10 @@ TEST(Kept, ABlockOfSteelStandsUntilItFalls) {
     text.replace(text.find("title"), 5, "keep = \"idol\"\ntitle");
     Game game(levelFrom(text), 1);
     EXPECT_EQ(game.level().keepName, "idol");
-    play(game, 60);
+    playOn(game, 60);
     EXPECT_TRUE(game.keeps());
     GameTestAccess::world(game)[game.blocks()[2].body].setVelocity({8, 0});
-    play(game, 120);
+    playOn(game, 120);
     EXPECT_FALSE(game.keeps());
     EXPECT_FALSE(Game(levelFrom(lake(kRaft)), 1).keeps()) << "a level without one";
     text.replace(text.find("keep = \"idol\""), 13, "keep = \"roof\"");

@@ -15,17 +15,6 @@ using namespace apart;
 using kodo::Real;
 using kodo::Vec2;
 
-/// A game with a broken power block in its lowest row, glass and brick above, the paddle below.
-Game dropped(const std::string& block) {
-    const std::string row = std::string(7, '.') + block + std::string(7, '.') + "\n";
-    Game game(levelOf("ggggggggggggggg\nbbbbbbbbbbbbbbb\n" + emptyRows(12) + row), 1);
-    for (int tick = 0; tick < 60; ++tick) {
-        game.tick(towards(kCatchX));
-    }
-    GameTestAccess::breakBlock(game, game.blocks().size() - 1, {0, 0});
-    return game;
-}
-
 std::string drawn(const Game& game) {
     return kodo::svg(game.world(), {}, kodo::Aabb{{-9, -1}, {9, kFieldHeight + 1}});
 }
