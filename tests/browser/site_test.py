@@ -111,6 +111,35 @@ class Site(Trial):
         self.expect(abs(dial - float(self.number("document.activeElement.value"))) < 1e-6,
                     "and the engine has its value")
 
+    def tours(self):
+        """The guided tours, by their buttons, keys and links."""
+        for width, height in SIZES:
+            self.browser.resize(width, height)
+            self.browser.open(f"{self.address}sandbox/#tour=Shock%20propagation%20off%20and%20on&stop=2")
+            self.expect(self.wait("sandbox.kodo.sandbox_tick() > 121"), "a link opens a stop of a tour")
+            self.wait("document.getElementById('verdict').textContent !== ''")
+            self.expect(self.number("document.getElementById('verdict').textContent") == "As expected.",
+                        "its overlap is as expected")
+            self.expect(self.number("document.getElementById('difference').textContent").startswith("apart"),
+                        "with and without shock passes are beside each other")
+            self.fits(f"the tour at {width} x {height}")
+            self.expect(not self.browser.run(SMALL), f"fingers hit each control {self.browser.run(SMALL)}")
+            self.shot(f"tour-{width}")
+        where = "document.getElementById('stop').textContent"
+        self.browser.run("document.getElementById('stop-next').click();")
+        self.expect("3 of 5" in self.number(where), "a button leads to the next stop")
+        for _ in range(4):
+            self.browser.press("page down")
+        self.expect("5 of 5" in self.number(where), "page down goes to the last one, and no farther")
+        self.browser.press("r")
+        self.expect("5 of 5" in self.number(where) and self.number("sandbox.kodo.sandbox_tick()") < 30,
+                    "a stop starts again")
+        self.browser.run("document.getElementById('leave').click();")
+        self.expect(self.number("document.getElementById('tour').hidden"), "a tour can be left")
+        self.browser.run("const all = document.getElementById('scene'); all.value = 'tour 0';"
+                         "all.dispatchEvent(new Event('change'));")
+        self.expect(self.number(where) == "Iterations against overlap, 1 of 5", "the list has the tours")
+
     def share(self):
         self.scene("Pyramid")
         self.browser.run("""sandbox.state.paused = true;
@@ -210,7 +239,7 @@ def refused(site):
 
 def main(page, pictures):
     with trial_of(Site, page, pictures) as site:
-        for part in (site.start_page, site.examples, site.sandbox, site.verdict, site.keyboard, site.share,
+        for part in (site.start_page, site.examples, site.sandbox, site.verdict, site.keyboard, site.tours, site.share,
                      site.touch, site.frames):
             part()
     preferences = {"profile.default_content_setting_values.cookies": 2}

@@ -88,6 +88,67 @@ TEST(Catalogue, HasSixtyScenesWithAQuestionEach) {
     }
 }
 
+// A tour tells what is seen: each stop, at its time, without a touch.
+TEST(Tours, EachStopIsAsExpected) {
+    ASSERT_EQ(tours().size(), 2u);
+    for (std::size_t tour = 0; tour < tours().size(); ++tour) {
+        EXPECT_GE(tours()[tour].stops.size(), 5u);
+        for (std::size_t stop = 0; stop < tours()[tour].stops.size(); ++stop) {
+            Sandbox sandbox;
+            sandbox.visit(tour, stop);
+            EXPECT_EQ(sandbox.scene().name, sandbox.stop()->scene);
+            EXPECT_EQ(sandbox.settings(), sandbox.stop()->settings);
+            run(sandbox, static_cast<int>(std::lround(sandbox.judgedAfter() / kStepSeconds)));
+            ASSERT_TRUE(sandbox.verdict().has_value());
+            EXPECT_TRUE(*sandbox.verdict()) << tours()[tour].name << ", stop " << stop + 1 << ": "
+                                            << sandbox.measures().last().overlap << " mm";
+        }
+    }
+}
+
+/// Deepest overlap (mm) and visits of contacts where a stop is judged.
+std::pair<Real, Real> measuredAt(std::size_t tour, std::size_t stop) {
+    Sandbox sandbox;
+    sandbox.visit(tour, stop);
+    run(sandbox, static_cast<int>(std::lround(sandbox.judgedAfter() / kStepSeconds)));
+    const Sample last = sandbox.measures().last();
+    return {last.overlap, last.visits};
+}
+
+// What the texts of the stops promise of each other.
+TEST(Tours, FromStopToStopTheOverlapGoes) {
+    const auto [two, fewVisits] = measuredAt(0, 1);
+    const auto [ten, someVisits] = measuredAt(0, 2);
+    const auto [sixty, manyVisits] = measuredAt(0, 3);
+    const auto [present, presentVisits] = measuredAt(0, 4);
+    EXPECT_LT(ten, two / 5);
+    EXPECT_LT(sixty, ten / 5);
+    EXPECT_LT(present, sixty);
+    EXPECT_LT(fewVisits, someVisits);
+    EXPECT_NEAR(manyVisits / someVisits, 4, 0.5);
+    EXPECT_NEAR(manyVisits / presentVisits, 12, 1);
+    EXPECT_LT(measuredAt(1, 1).first, measuredAt(1, 0).first / 100);
+    EXPECT_LT(measuredAt(1, 3).first, measuredAt(1, 2).first / 100);
+}
+
+TEST(Tours, AStopStartsAgainAndASceneLeavesTheTour) {
+    Sandbox sandbox;
+    sandbox.visit(1, 1);
+    ASSERT_NE(sandbox.twin(), nullptr);
+    run(sandbox, 60);
+    EXPECT_GT(sandbox.difference(), 0.5); // m: the tower beside it falls
+    sandbox.drop(Thing::Ball, {0, 14}, 1);
+    sandbox.restart();
+    EXPECT_EQ(sandbox.tick(), 0u);
+    EXPECT_EQ(sandbox.place()->stop, 1u);
+    EXPECT_EQ(sandbox.settings(), sandbox.stop()->settings);
+    sandbox.open(3);
+    EXPECT_EQ(sandbox.stop(), nullptr);
+    EXPECT_EQ(sandbox.settings(), catalogue()[3].settings);
+    sandbox.restart();
+    EXPECT_EQ(sandbox.sceneIndex(), 3u);
+}
+
 /// Maximum overlap (m) during two seconds, after one second of settling.
 Real maxOverlapOf(std::string_view scene, int collision, int rest, int shock) {
     Sandbox sandbox = sandboxOf(scene);

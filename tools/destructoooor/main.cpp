@@ -26,19 +26,26 @@ const kodo_sfml::Size kPixels{1280, 720};
 
 struct Options {
     std::string scene = "Pyramid";
+    std::string tour;
+    std::size_t stop = 1;
     unsigned steps = 120;
     std::string picture;
     bool list = false;
 };
 
-std::optional<std::size_t> sceneNamed(std::string_view name) {
-    const std::span<const Scene> all = catalogue();
-    const auto found = std::ranges::find(all, name, &Scene::name);
+/// The index of a scene or a tour.
+template <typename Item>
+std::optional<std::size_t> named(std::span<const Item> all, std::string_view name) {
+    const auto found = std::ranges::find(all, name, &Item::name);
     return found != all.end() ? std::optional(static_cast<std::size_t>(found - all.begin()))
                               : std::nullopt;
 }
 
 void list() {
+    for (const Tour& tour : tours()) {
+        std::printf("%-22s %-32s %s\n", "Guided tour", std::string(tour.name).c_str(),
+                    std::string(tour.lesson).c_str());
+    }
     for (const Scene& scene : catalogue()) {
         std::printf("%-22s %-32s %s\n", std::string(scene.group).c_str(),
                     std::string(scene.name).c_str(), std::string(scene.question).c_str());
@@ -113,6 +120,11 @@ int play(Workbench& bench) {
     return kDone;
 }
 
+int refuse(const std::string& problem) {
+    std::fprintf(stderr, "destructoooor: %s. --list prints all of them.\n", problem.c_str());
+    return kRefused;
+}
+
 int run(int argc, char** argv) {
     Options options;
     CLI::App app("Destructoooor!: a sandbox of Kodo. Scenes with a question each; bodies can be "
@@ -124,7 +136,11 @@ int run(int argc, char** argv) {
                                           std::to_string(KODO_VERSION_MINOR) + '.' +
                                           std::to_string(KODO_VERSION_PATCH));
     app.add_option("--scene", options.scene, "Name of a scene, see --list")->capture_default_str();
-    app.add_flag("--list", options.list, "Print all scenes, then exit");
+    auto* ofTour = app.add_option("--tour", options.tour, "Name of a guided tour, see --list");
+    app.add_option("--stop", options.stop, "Stop of the tour")
+        ->capture_default_str()
+        ->needs(ofTour);
+    app.add_flag("--list", options.list, "Print all tours and scenes, then exit");
     auto* picture = app.add_option("--picture", options.picture,
                                    "Write a picture (png) after some steps, then exit");
     app.add_option("--steps", options.steps, "Steps before the picture, 60 per second")
@@ -143,18 +159,23 @@ int run(int argc, char** argv) {
         list();
         return kDone;
     }
-    const std::optional<std::size_t> scene = sceneNamed(options.scene);
+    const std::optional<std::size_t> scene = named(catalogue(), options.scene);
     if (!scene) {
-        std::fprintf(stderr, "destructoooor: There is no scene '%s'. --list prints all of them.\n",
-                     options.scene.c_str());
-        return kRefused;
+        return refuse("There is no scene '" + options.scene + "'");
+    }
+    const std::optional<std::size_t> tour = named(tours(), options.tour);
+    if (!tour && !options.tour.empty()) {
+        return refuse("There is no tour '" + options.tour + "'");
+    }
+    if (tour && (options.stop < 1 || options.stop > tours()[*tour].stops.size())) {
+        return refuse("That tour has " + std::to_string(tours()[*tour].stops.size()) + " stops");
     }
     if (!kodo_sfml::displayAvailable()) {
         std::fprintf(stderr, "destructoooor: There is no display for the window. Set DISPLAY.\n");
         return kNoDisplay;
     }
     Workbench bench;
-    bench.open(*scene);
+    tour ? bench.visit(*tour, options.stop - 1) : bench.open(*scene);
     return options.picture.empty() ? play(bench) : takePicture(bench, options);
 }
 

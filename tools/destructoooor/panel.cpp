@@ -19,6 +19,8 @@ constexpr float kLeft = 230;
 constexpr float kRight = 310;
 constexpr float kBottom = 96;
 constexpr float kPlotHeight = 46;
+constexpr float kAboutHeight = 190;
+constexpr float kStopHeight = 290;
 
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
@@ -115,6 +117,25 @@ bool dial(const Dial& one, Workbench& bench) {
     return true;
 }
 
+/// Where the tour is, and the ways from there.
+void stopButtons(Workbench& bench) {
+    const Sandbox::Place place = *bench.sandbox.place();
+    const Tour& tour = tours()[place.tour];
+    words(tour.name);
+    ImGui::TextDisabled("Stop %zu of %zu", place.stop + 1, tour.stops.size());
+    if (ImGui::Button("Back")) {
+        bench.go(-1);
+    }
+    ImGui::SameLine();
+    if (ImGui::Button("Next")) {
+        bench.go(1);
+    }
+    ImGui::SameLine();
+    if (ImGui::Button("Leave")) {
+        bench.open(bench.sandbox.sceneIndex());
+    }
+}
+
 } // namespace
 
 void Panel::build(Workbench& bench, kodo_sfml::Size pixels) {
@@ -151,11 +172,28 @@ void Panel::build(Workbench& bench, kodo_sfml::Size pixels) {
 }
 
 void Panel::scenes(Workbench& bench) {
+    ImGui::BeginChild("list", {0, bench.sandbox.stop() != nullptr ? -kStopHeight : -kAboutHeight});
+    if (ImGui::CollapsingHeader("Guided tours", ImGuiTreeNodeFlags_DefaultOpen)) {
+        const std::span<const Tour> all = tours();
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const std::optional<Sandbox::Place> place = bench.sandbox.place();
+            if (ImGui::Selectable(std::string(all[i].name).c_str(), place && place->tour == i)) {
+                bench.visit(i, 0);
+            }
+            hint(all[i].lesson);
+        }
+    }
+    sceneList(bench);
+    ImGui::EndChild();
+    ImGui::Separator();
+    about(bench);
+}
+
+void Panel::sceneList(Workbench& bench) {
     const Scene& present = bench.sandbox.scene();
-    const float textHeight = 190;
-    ImGui::BeginChild("list", {0, -textHeight});
     const std::span<const Scene> all = catalogue();
-    const bool arrived = shown_ != bench.sandbox.sceneIndex();
+    const bool touring = bench.sandbox.stop() != nullptr;
+    const bool arrived = !touring && shown_ != bench.sandbox.sceneIndex();
     shown_ = bench.sandbox.sceneIndex();
     for (std::size_t i = 0; i < all.size();) {
         const std::string group(all[i].group);
@@ -165,7 +203,7 @@ void Panel::scenes(Workbench& bench) {
         const bool open = ImGui::CollapsingHeader(group.c_str());
         for (; i < all.size() && all[i].group == group; ++i) {
             const std::string name(all[i].name);
-            const bool chosen = i == bench.sandbox.sceneIndex();
+            const bool chosen = !touring && i == bench.sandbox.sceneIndex();
             if (open && ImGui::Selectable(name.c_str(), chosen)) {
                 bench.open(i);
             }
@@ -174,19 +212,31 @@ void Panel::scenes(Workbench& bench) {
             }
         }
     }
-    ImGui::EndChild();
-    ImGui::Separator();
-    words(present.question);
+}
+
+/// What the scene or the stop of a tour is about, and whether it is as expected.
+void Panel::about(Workbench& bench) {
+    if (bench.sandbox.stop() != nullptr) {
+        stopButtons(bench);
+    }
+    const Stop* const stop = bench.sandbox.stop();
+    words(stop != nullptr ? stop->text : bench.sandbox.scene().question);
     ImGui::Spacing();
     ImGui::PushStyleColor(ImGuiCol_Text, {0.65f, 0.75f, 0.85f, 1});
-    words(present.expectation);
+    words(stop != nullptr ? "Look at: " + std::string(stop->look)
+                          : std::string(bench.sandbox.scene().expectation));
     ImGui::PopStyleColor();
+    if (stop != nullptr) {
+        const Sample last = bench.sandbox.measures().last();
+        ImGui::Text("Deepest overlap %.1f mm,\n%.0f visits of contacts",
+                    static_cast<double>(last.overlap), static_cast<double>(last.visits));
+    }
     if (const std::optional<bool> verdict = bench.sandbox.verdict()) {
         ImGui::TextColored(*verdict ? ImVec4{0.5f, 0.9f, 0.5f, 1} : ImVec4{1, 0.5f, 0.4f, 1},
                            *verdict ? "As expected." : "Not as expected.");
     } else {
         ImGui::TextDisabled("Judged after %.1f s, if untouched.",
-                            static_cast<double>(present.seconds));
+                            static_cast<double>(bench.sandbox.judgedAfter()));
     }
 }
 
@@ -212,7 +262,7 @@ void Panel::dialTab(Workbench& bench) {
     }
     ImGui::Separator();
     if (ImGui::Button("Reset")) {
-        bench.open(bench.sandbox.sceneIndex());
+        bench.restart();
     }
     hint("The scene and all dials as they were.");
     ImGui::SameLine();
@@ -265,7 +315,7 @@ void Panel::viewTab(Workbench& bench) {
     words("Right button: move the view. Wheel: closer, farther.\n"
           "Space: pause. N: one step. B: one step back. R: restart.\n"
           "1 to 9, 0, E: the hands below, from left to right. Tab: through the dials.\n"
-          "Page up, page down: another scene. Escape: quit.");
+          "Page up, page down: another scene or stop. Escape: quit.");
 }
 
 void Panel::fileTab(Workbench& bench) {
@@ -297,7 +347,7 @@ void Panel::timeBar(Workbench& bench) {
     }
     ImGui::SameLine();
     if (ImGui::Button("Restart")) {
-        bench.open(bench.sandbox.sceneIndex());
+        bench.restart();
     }
     ImGui::SameLine();
     Sandbox& sandbox = bench.sandbox;

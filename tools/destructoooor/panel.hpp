@@ -14,6 +14,8 @@ public:
 
 private:
     void scenes(Workbench& bench);
+    void sceneList(Workbench& bench);
+    void about(Workbench& bench);
     void dialTab(Workbench& bench);
     void measureTab(const Workbench& bench);
     void viewTab(Workbench& bench);

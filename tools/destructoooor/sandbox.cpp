@@ -28,8 +28,29 @@ Sandbox::Sandbox() {
 }
 
 void Sandbox::open(std::size_t scene) {
+    place_.reset();
+    begin(scene, catalogue()[scene].settings);
+}
+
+void Sandbox::visit(std::size_t tour, std::size_t stop) {
+    place_ = {tour, stop};
+    const Stop& wanted = *this->stop();
+    const std::span<const Scene> all = catalogue();
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [&](const Scene& scene) { return scene.name == wanted.scene; });
+    begin(static_cast<std::size_t>(found - all.begin()), wanted.settings);
+    if (wanted.beside) {
+        compareWith(*wanted.beside);
+    }
+}
+
+void Sandbox::restart() {
+    place_ ? visit(place_->tour, place_->stop) : open(scene_);
+}
+
+void Sandbox::begin(std::size_t scene, const kodo::StepSettings& settings) {
     scene_ = scene;
-    Staged staged = stage(catalogue()[scene]);
+    Staged staged = stage(catalogue()[scene], settings);
     world_ = std::move(staged.world);
     ids_ = std::move(staged.ids);
     act_ = catalogue()[scene].act;
@@ -76,10 +97,18 @@ void Sandbox::step() {
     }
     lastTick_ = tick();
     measures_.sample(world_, gravity_);
-    const auto due = static_cast<std::uint64_t>(std::lround(scene().seconds / kStepSeconds));
+    const auto due = static_cast<std::uint64_t>(std::lround(judgedAfter() / kStepSeconds));
     if (untouched_ && tick() == due) {
-        verdict_ = scene().holds(world_, ids_);
+        verdict_ = asExpected();
     }
+}
+
+bool Sandbox::asExpected() const {
+    if (const Stop* const here = stop()) {
+        const Real overlap = measures_.last().overlap;
+        return here->overlap.lower <= overlap && overlap <= here->overlap.upper;
+    }
+    return scene().holds(world_, ids_);
 }
 
 void Sandbox::rewind(std::uint64_t wanted) {
@@ -249,6 +278,7 @@ void Sandbox::load(const std::string& file) {
 
 void Sandbox::take(std::span<const std::byte> bytes) {
     world_ = kodo::fromBytes(bytes);
+    place_.reset();
     act_ = nullptr;
     twin_.reset();
     held_.reset();

@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "catalogue/scene.hpp"
+#include "catalogue/tours.hpp"
 #include "hands.hpp"
 #include "history.hpp"
 #include "measures.hpp"
@@ -23,7 +23,19 @@ public:
 
     /// Builds a scene with its own settings; dials go back to where they were at first.
     void open(std::size_t scene);
-    void restart() { open(scene_); }
+    /// Opens the scene of a stop of a tour, with the settings of the stop. A scene leaves the tour.
+    void visit(std::size_t tour, std::size_t stop);
+    /// The stop or the scene again, from its start.
+    void restart();
+    /// Present stop: an index of tours() and one of its stops.
+    struct Place {
+        std::size_t tour;
+        std::size_t stop;
+    };
+    std::optional<Place> place() const { return place_; }
+    const Stop* stop() const {
+        return place_ ? &tours()[place_->tour].stops[place_->stop] : nullptr;
+    }
     std::size_t sceneIndex() const { return scene_; }
     const Scene& scene() const { return catalogue()[scene_]; }
 
@@ -34,7 +46,9 @@ public:
     void rewind(std::uint64_t tick);
     std::uint64_t firstTick() const { return history_.first(); }
     std::uint64_t lastTick() const { return lastTick_; }
-    /// Of an untouched scene, once its time has come: is it as expected?
+    /// Seconds after which an untouched scene or stop is judged.
+    Real judgedAfter() const { return place_ ? stop()->seconds : scene().seconds; }
+    /// Once this time has come: is it as expected?
     std::optional<bool> verdict() const { return verdict_; }
 
     /// Runs a change of the World, and of the second one. Throws what it throws.
@@ -77,12 +91,15 @@ public:
     void load(const std::string& file);
 
 private:
+    void begin(std::size_t scene, const kodo::StepSettings& settings);
+    bool asExpected() const;
     void stepOnce(kodo::World& world);
     void removeLost(kodo::World& world) const;
     void updateFields();
     void touched();
 
     std::size_t scene_ = 0;
+    std::optional<Place> place_;
     kodo::World world_;
     Ids ids_;
     decltype(Scene::act) act_ = nullptr; // of the scene; null after take()

@@ -32,6 +32,32 @@ void Workbench::showScene() {
 
 void Workbench::open(std::size_t scene) {
     sandbox.open(scene);
+    arrive();
+}
+
+void Workbench::visit(std::size_t tour, std::size_t stop) {
+    sandbox.visit(tour, stop);
+    arrive();
+}
+
+void Workbench::restart() {
+    sandbox.restart();
+    arrive();
+}
+
+void Workbench::go(int by) {
+    const auto moved = [by](std::size_t index) { return static_cast<int>(index) + by; };
+    if (const std::optional<Sandbox::Place> place = sandbox.place()) {
+        const auto stops = static_cast<int>(tours()[place->tour].stops.size());
+        const int stop = std::clamp(moved(place->stop), 0, stops - 1);
+        visit(place->tour, static_cast<std::size_t>(stop));
+    } else {
+        const auto scenes = static_cast<int>(catalogue().size());
+        open(static_cast<std::size_t>((moved(sandbox.sceneIndex()) + scenes) % scenes));
+    }
+}
+
+void Workbench::arrive() {
     showScene();
     message.clear();
 }
@@ -96,13 +122,12 @@ void Workbench::take(const sf::Event& event) {
 
 void Workbench::press(sf::Keyboard::Key key) {
     using Key = sf::Keyboard::Key;
-    const std::size_t scenes = catalogue().size();
     switch (key) {
     case Key::Escape:
         quit = true;
         break;
     case Key::R:
-        open(sandbox.sceneIndex());
+        restart();
         break;
     case Key::Space:
         paused = !paused;
@@ -116,10 +141,10 @@ void Workbench::press(sf::Keyboard::Key key) {
         sandbox.rewind(sandbox.tick() - std::min<std::uint64_t>(sandbox.tick(), 1));
         break;
     case Key::PageDown:
-        open((sandbox.sceneIndex() + 1) % scenes);
+        go(1);
         break;
     case Key::PageUp:
-        open((sandbox.sceneIndex() + scenes - 1) % scenes);
+        go(-1);
         break;
     case Key::Home:
         showScene();

@@ -27,6 +27,9 @@ public:
     void setView(kodo_sfml::Size pixels, kodo_sfml::Rect free);
     void showScene(); // the camera shows all of the scene
     void open(std::size_t scene);
+    void visit(std::size_t tour, std::size_t stop);
+    void restart();
+    void go(int by); // as many scenes farther, or stops of the present tour
 
     /// An event that no panel wants.
     void take(const sf::Event& event);
@@ -37,6 +40,7 @@ public:
     kodo_sfml::Camera camera() const;
 
 private:
+    void arrive();
     void press(sf::Keyboard::Key key);
     void mouseDown(Vec2 at);
     void mouseUp(Vec2 at);

@@ -20,6 +20,16 @@ constexpr Real operator""_r(unsigned long long number) {
     return static_cast<Real>(number);
 }
 
+/// The solver of 2006 with numbers of passes. Nothing sleeps, so that overlap stays in sight.
+inline kodo::StepSettings thesisWith(int impactPasses, int contactPasses, int shockPasses) {
+    kodo::StepSettings settings = kodo::thesis2006();
+    settings.propagation().impactPasses = impactPasses;
+    settings.propagation().contactPasses = contactPasses;
+    settings.propagation().shockPasses = shockPasses;
+    settings.leaveOut = kodo::Feature::Sleep;
+    return settings;
+}
+
 /// Static ground with its top at y = 0, 40 m wide.
 inline BodyId addGround(kodo::World& world, const kodo::Material& material = {}) {
     return world.add(

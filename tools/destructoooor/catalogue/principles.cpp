@@ -9,15 +9,6 @@ constexpr std::string_view kChaos = "Chaos";
 constexpr std::string_view kSameBits = "Same bits";
 constexpr std::string_view kThesis = "Thesis";
 
-kodo::StepSettings thesisWith(int impactPasses, int contactPasses, int shockPasses) {
-    kodo::StepSettings settings = kodo::thesis2006();
-    settings.propagation().impactPasses = impactPasses;
-    settings.propagation().contactPasses = contactPasses;
-    settings.propagation().shockPasses = shockPasses;
-    settings.leaveOut = kodo::Feature::Sleep;
-    return settings;
-}
-
 Ids buildGalton(kodo::World& world) {
     addGround(world);
     for (int row = 0; row < 7; ++row) {
@@ -105,6 +96,31 @@ Ids buildThesisTower(kodo::World& world) {
     return ids;
 }
 
+Ids buildHeights(kodo::World& world) {
+    addGround(world);
+    Ids lowest;
+    for (int height = 3; height <= 12; height += 3) {
+        const Real x = Real(height) * 1.5_r - 11.25_r;
+        lowest.push_back(addBox(world, {x, 0.5_r}, 1, 1));
+        for (int i = 1; i < height; ++i) {
+            addBox(world, {x, Real(i) + 0.5_r}, 1, 1);
+        }
+    }
+    return lowest;
+}
+
+/// Largest overlap (m) in the stack of a box.
+Real overlapOfStack(const kodo::World& world, BodyId box) {
+    const Real x = world[box].center().x;
+    Real deepest = 0;
+    for (const kodo::CollisionRecord& record : world.collisions()) {
+        if (record.phase != kodo::TouchPhase::End && isNear(record.point.x, x, 1)) {
+            deepest = std::max(deepest, -record.separation);
+        }
+    }
+    return deepest;
+}
+
 Ids buildThesisPyramid(kodo::World& world) {
     addGround(world);
     Ids ids;
@@ -181,6 +197,22 @@ const Scene kPrincipleScenes[] = {
      {0, -10},
      {{-13, -1.5_r}, {13, 14.5_r}},
      thesisWith(5, 2, 2)},
+    {kThesis,
+     "Four heights",
+     "Do eight iterations leave more overlap in a higher stack?",
+     "Yes: with each three boxes more it grows by half at least.",
+     buildHeights,
+     2,
+     [](const kodo::World& world, const Ids& ids) {
+         Real before = 0;
+         return std::all_of(ids.begin(), ids.end(), [&](BodyId id) {
+             const Real lower = std::exchange(before, overlapOfStack(world, id));
+             return before > Real(1.5) * lower;
+         });
+     },
+     {0, -10},
+     {{-13, -1.5_r}, {13, 14.5_r}},
+     thesisWith(8, 8, 0)},
     {kThesis,
      "Few iterations",
      "What do two iterations do to a pyramid?",

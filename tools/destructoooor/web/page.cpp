@@ -108,13 +108,23 @@ std::string dialText(const Dial& dial) {
            ",\"words\":" + listed(dial.words, quoted) + "}";
 }
 
+std::string stopText(const Stop& stop) {
+    return "{\"scene\":" + quoted(stop.scene) + ",\"text\":" + quoted(stop.text) +
+           ",\"look\":" + quoted(stop.look) + ",\"seconds\":" + std::to_string(stop.seconds) + "}";
+}
+
+std::string tourText(const Tour& tour) {
+    return "{\"name\":" + quoted(tour.name) + ",\"lesson\":" + quoted(tour.lesson) +
+           ",\"stops\":" + listed(tour.stops, stopText) + "}";
+}
+
 std::string registryText() {
     const auto named = [](const auto& item) { return quoted(item.name); };
     const auto hand = [](const HandWords& one) {
         return "{\"name\":" + quoted(one.name) + ",\"what\":" + quoted(one.what) + "}";
     };
     return "{\"scenes\":" + listed(catalogue(), sceneText) +
-           ",\"dials\":" + listed(dials(), dialText) +
+           ",\"tours\":" + listed(tours(), tourText) + ",\"dials\":" + listed(dials(), dialText) +
            ",\"profiles\":" + listed(profiles(), named) + ",\"hands\":" + listed(kHands, hand) +
            ",\"things\":" + listed(kThingNames, quoted) + "}";
 }
@@ -157,6 +167,9 @@ SANDBOX_EXPORT const char* sandbox_registry() {
 
 SANDBOX_EXPORT void sandbox_open(std::size_t scene) {
     sandbox().open(scene);
+}
+SANDBOX_EXPORT void sandbox_visit(std::size_t tour, std::size_t stop) {
+    sandbox().visit(tour, stop);
 }
 SANDBOX_EXPORT void sandbox_step() {
     sandbox().step();

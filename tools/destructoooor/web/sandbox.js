@@ -22,7 +22,8 @@ const element = (id) => document.getElementById(id);
 const canvas = element("canvas");
 const context = canvas.getContext("2d");
 
-const state = { scene: 0, hand: kDrag, thing: 0, size: 1, paused: false, owed: 0, last: performance.now() };
+const state = { scene: 0, tour: -1, stop: 0, // no tour: -1
+                hand: kDrag, thing: 0, size: 1, paused: false, owed: 0, last: performance.now() };
 const view = { x: 0, y: 0, height: 16 }; // m
 let cursor = null; // m, of the keyboard
 let held = false; // by the keyboard
@@ -56,7 +57,8 @@ function choose(name, value) {
 // Scenes.
 
 function fillScenes() {
-  let group = null;
+  let group = add(element("scene"), "optgroup", { label: "Guided tours" });
+  registry.tours.forEach(({ name }, i) => add(group, "option", { value: `tour ${i}` }, name));
   registry.scenes.forEach((scene, i) => {
     if (group?.label !== scene.group) {
       group = add(element("scene"), "optgroup", { label: scene.group });
@@ -67,14 +69,46 @@ function fillScenes() {
 
 function open(scene) {
   state.scene = (scene + registry.scenes.length) % registry.scenes.length;
+  state.tour = -1;
   const { name, question, expectation, seconds } = registry.scenes[state.scene];
   kodo.sandbox_open(state.scene);
   element("scene").value = state.scene;
+  arrive(name, encodeURIComponent(name), question, `Expected: ${expectation}`, seconds);
+}
+
+/** Goes to a stop of a guided tour. */
+function visit(tour, stop) {
+  const { name, stops } = registry.tours[tour];
+  state.tour = tour;
+  state.stop = Math.min(Math.max(stop, 0), stops.length - 1);
+  const { scene, text, look, seconds } = stops[state.stop];
+  state.scene = registry.scenes.findIndex((each) => each.name === scene);
+  kodo.sandbox_visit(tour, state.stop);
+  element("scene").value = `tour ${tour}`;
+  element("stop").textContent = `${name}, ${state.stop + 1} of ${stops.length}`;
+  element("stop-back").disabled = state.stop === 0;
+  element("stop-next").disabled = state.stop + 1 === stops.length;
+  arrive(name, `tour=${encodeURIComponent(name)}&stop=${state.stop + 1}`, text, `Look at: ${look}`,
+         seconds);
+}
+
+/** The next scene or stop, or the one before. */
+function go(by) {
+  if (state.tour < 0) {
+    open(state.scene + by);
+  } else {
+    visit(state.tour, state.stop + by);
+  }
+}
+
+/** Shows what has been opened: its name, the end of its link, its texts, and when it is judged. */
+function arrive(name, link, question, expectation, seconds) {
+  element("tour").hidden = state.tour < 0;
   element("question").textContent = question;
   element("expectation").textContent =
-    `Expected: ${expectation} Judged after ${seconds.toFixed(1)} s, if nothing is touched.`;
+    `${expectation} Judged after ${seconds.toFixed(1)} s, if nothing is touched.`;
   document.title = `${name} - Destructoooor!`;
-  history.replaceState(null, "", `#${encodeURIComponent(name)}`);
+  history.replaceState(null, "", `#${link}`);
   held = false;
   say("");
   showScene();
@@ -388,9 +422,9 @@ const actions = {
   " ": () => setPaused(!state.paused),
   n: () => { setPaused(true); kodo.sandbox_step(); refresh(); },
   b: () => rewind(kodo.sandbox_tick() - 1),
-  r: () => open(state.scene),
-  PageUp: () => open(state.scene - 1),
-  PageDown: () => open(state.scene + 1),
+  r: () => go(0),
+  PageUp: () => go(-1),
+  PageDown: () => go(1),
   Home: showScene,
   e: () => setHand(10),
   0: () => setHand(9),
@@ -441,8 +475,8 @@ window.onkeydown = (event) => {
   event.preventDefault();
 };
 
-// Links: #NAME of a scene, or #scene=DATA, a World as bytes, compressed by raw deflate, as base64 for
-// URLs; then &name=NAME of the scene that it was, and &view=X,Y,HEIGHT in metres.
+// Links: #NAME of a scene, or #tour=NAME&stop=2, or #scene=DATA, a World as bytes, compressed by raw
+// deflate, as base64 for URLs; then &name=NAME of the scene that it was, and &view=X,Y,HEIGHT in metres.
 
 async function through(stream, bytes) {
   const all = new Blob([bytes]).stream().pipeThrough(stream);
@@ -483,6 +517,11 @@ async function enter() {
   const wanted = location.hash;
   const asked = new URLSearchParams(wanted.slice(1));
   const data = asked.get("scene");
+  const tour = registry.tours.findIndex(({ name }) => name === asked.get("tour"));
+  if (tour >= 0) {
+    visit(tour, Math.trunc(asked.get("stop")) - 1);
+    return;
+  }
   const name = data === null ? decodeURIComponent(wanted.slice(1)) : asked.get("name");
   open(Math.max(0, registry.scenes.findIndex((scene) => scene.name === name)));
   if (data === null) {
@@ -519,9 +558,17 @@ async function copy(text, done) {
 fillScenes();
 fillPanel();
 fillDials();
-element("scene").onchange = () => open(Number(element("scene").value));
-element("previous").onclick = () => open(state.scene - 1);
-element("next").onclick = () => open(state.scene + 1);
+element("scene").onchange = () => {
+  const [kind, tour] = element("scene").value.split(" ");
+  if (kind === "tour") {
+    visit(Number(tour), 0);
+  } else {
+    open(Number(kind));
+  }
+};
+element("previous").onclick = element("stop-back").onclick = () => go(-1);
+element("next").onclick = element("stop-next").onclick = () => go(1);
+element("leave").onclick = () => open(state.scene);
 element("pause").onclick = actions[" "];
 element("step").onclick = actions.n;
 element("back").onclick = actions.b;
