@@ -141,8 +141,7 @@ TEST(FieldPins, WheelsOfACarThatSleptStayOnTheirPins) {
                 .ends = {.a = car, .b = wheel, .anchorA = {x, Real(-0.4)}}, .motorTorque = 50});
         }
         setting.run(world, 4);
-        // With few steps a second, the solver of the thesis lets it creep.
-        EXPECT_TRUE(world[car].isAsleep() || (setting.thesis && setting.dt > Real(0.01)));
+        EXPECT_TRUE(world[car].isAsleep());
         EXPECT_LT(length(world[car].velocity()), 0.005);
         const Real start = world[car].position().x;
         for (const kodo::JointId pin : pins) {

@@ -128,5 +128,129 @@ TEST(PropagationJoint, AChainWithAHeavyEndStaysTogetherAtSmallSteps) {
     EXPECT_LT(pulled.opens(240, {-150, 0}), 0.01);
 }
 
+constexpr Real kRates[]{30, 60, 120, 240}; // Hz
+
+/// A car of 1 m on two wheels, on a slope.
+struct Car {
+    World world{{.gravity = support::kEarth, .settings = thesis2006()}};
+    BodyId chassis;
+
+    Car(bool sprung, Real slope) {
+        const Rot turn = Rot::fromAngle(slope);
+        const auto add = [&](const Shape& shape, Vec2 at, BodyType type = BodyType::Dynamic) {
+            return world.add(
+                {.shape = shape, .position = turn * at, .rotation = turn, .type = type});
+        };
+        add(Box{20, 1}, {0, Real(-0.5)}, BodyType::Static);
+        chassis = add(Box{2, Real(0.5)}, {0, Real(0.9)});
+        for (const Real x : {Real(-0.7), Real(0.7)}) {
+            const JointEnds axle{.a = chassis,
+                                 .b = add(Circle{Real(0.4)}, {x, Real(0.4)}),
+                                 .anchorA = {x, Real(-0.5)}};
+            if (sprung) {
+                world.add(WheelJoint{.ends = axle, .hertz = 4, .damping = 1, .motorTorque = 100});
+            } else {
+                world.add(RevoluteJoint{.ends = axle, .motorTorque = 100});
+            }
+        }
+    }
+};
+
+// Ten passes from zero left it creeping at up to 6 mm/s on flat ground, 10 on a slope.
+TEST(PropagationJoint, ACarWithBrakesRestsAndSleeps) {
+    for (const Real rate : kRates) {
+        for (const Real slope : {Real(0), Real(0.1)}) {
+            for (const bool sprung : {false, true}) {
+                SCOPED_TRACE(std::to_string(rate) + " Hz, slope " + std::to_string(slope));
+                Car car(sprung, slope);
+                for (int step = 0; step < static_cast<int>(3 * rate); ++step) {
+                    car.world.step(1 / rate);
+                }
+                EXPECT_TRUE(car.world[car.chassis].isAsleep());
+                const Real sag = sprung ? Real(0.025) : Real(0.001); // m, of the springs
+                EXPECT_LT(length(car.world[car.chassis].position() -
+                                 Rot::fromAngle(slope) * Vec2{0, Real(0.9)}),
+                          sag);
+            }
+        }
+    }
+}
+
+// No force has a torque about the pin, so the spin stays. At 30 rad/s and 30 Hz the door lost a
+// third of its energy in the first step, two thirds in ten.
+TEST(PropagationJoint, ADoorThatTurnsByARadianInAStepKeepsItsEnergy) {
+    for (const Real rate : kRates) {
+        for (const Real turn : {Real(0.1), Real(0.5), Real(1)}) { // rad a step
+            SCOPED_TRACE(std::to_string(rate) + " Hz, " + std::to_string(turn));
+            const Real spin = turn * rate;
+            joints::Rig rig({}, awake(thesis2006()));
+            const BodyId door = rig.world.add({.shape = Box{1, Real(0.1)},
+                                               .position = {Real(0.5), 0},
+                                               .velocity = {0, spin / 2},
+                                               .angularVelocity = spin});
+            rig.world.add(
+                RevoluteJoint{.ends = {.a = rig.post, .b = door, .anchorB = {Real(-0.5), 0}}});
+            const auto energy = [&] {
+                return static_cast<double>(support::totalsOf(rig.world).kinetic);
+            };
+            const double start = energy();
+            for (int step = 0; step < 100; ++step) {
+                rig.world.step(1 / rate);
+                ASSERT_NEAR(energy() / start, 1, 1e-3) << step;
+            }
+        }
+    }
+}
+
+// The prediction knows no joints: it took the body down by g h^2, 11 mm at 30 Hz, and the motor
+// then lifted it by as much into the ceiling.
+TEST(PropagationJoint, ABoxThatAMotorLiftsToTheCeilingRests) {
+    for (const Real rate : kRates) {
+        SCOPED_TRACE(rate);
+        World world({.gravity = support::kEarth, .settings = thesis2006()});
+        const BodyId ceiling =
+            world.add({.shape = Box{4, 1}, .position = {0, 3}, .type = BodyType::Static});
+        const BodyId lift = world.add({.shape = Box{1, 1}, .position = {0, 1}});
+        world.add(PrismaticJoint{.ends = {.a = ceiling, .b = lift, .collide = true},
+                                 .axis = {0, 1},
+                                 .motorSpeed = 1,
+                                 .motorForce = 30});
+        for (int step = 0; step < static_cast<int>(4 * rate); ++step) {
+            world.step(1 / rate);
+            ASSERT_LT(world[lift].position().y, Real(2.002)) << step; // half a slop
+        }
+        EXPECT_TRUE(world[lift].isAsleep());
+    }
+}
+
+// H7: a joint of the ground made all contacts of the ground those of jointed bodies.
+TEST(PropagationJoint, WhatHangsFromTheGroundLeavesAPileOnItAlone) {
+    std::vector<Vec2> places;
+    for (const bool hangs : {false, true}) {
+        World world({.gravity = support::kEarth, .settings = awake(thesis2006())});
+        const BodyId ground = world.add(
+            {.shape = Box{4000, 1}, .position = {0, Real(-0.5)}, .type = BodyType::Static});
+        std::vector<BodyId> pile;
+        for (int i = 0; i < 15; ++i) {
+            pile.push_back(world.add(support::ballDef(
+                {Real(0.4) * static_cast<Real>(i % 3), 1 + static_cast<Real>(i / 3)}, Real(0.5))));
+        }
+        if (hangs) {
+            const BodyId box = world.add({.position = {1000, 3}});
+            world.add(RevoluteJoint{.ends = {.a = ground, .b = box, .anchorA = {1001, 4}}});
+        }
+        for (int step = 0; step < 120; ++step) {
+            world.step(support::kDt);
+        }
+        for (std::size_t i = 0; i < pile.size(); ++i) {
+            const Vec2 place = world[pile[i]].position();
+            if (hangs) {
+                EXPECT_EQ(place, places[i]) << i;
+            }
+            places.push_back(place);
+        }
+    }
+}
+
 } // namespace
 } // namespace kodo

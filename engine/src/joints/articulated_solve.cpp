@@ -276,10 +276,15 @@ Real ArticulatedTrees::spinOf(const Bodies& bodies, const Tree& tree) {
     return inertia > 0 ? momentum / inertia : 0;
 }
 
-/// Sums force times arm for every body.
-void ArticulatedTrees::addPulls(const Tree& tree) {
+/// Sums force times arm for every body. What keeps a single body on its circle exerts no torque,
+/// however the body turns.
+void ArticulatedTrees::addPulls(const Bodies& bodies, const JointPass& pass, const Tree& tree) {
     for (Member& member : membersOf(tree)) {
-        member.pull = 0;
+        const Vec2 way = bodies.motion[member.body].angularVelocity * nodesOf(tree)[0].childArm();
+        const bool single = tree.anchored && tree.members == 1;
+        member.pull = single && pass.errors == ErrorRemoval::ByDisplacement
+                          ? -member.mass * lengthSquared(way)
+                          : Real(0);
     }
     const auto add = [&](std::uint32_t member, Real amount) {
         if (member != kNone) {
@@ -295,17 +300,18 @@ void ArticulatedTrees::addPulls(const Tree& tree) {
 
 /// Raises the estimates of forces to those of the solution. True if they raise the inertia of a
 /// body much.
-bool ArticulatedTrees::raisePulls(const Tree& tree, Real h) {
+bool ArticulatedTrees::raisePulls(const Bodies& bodies, const JointPass& pass, const Tree& tree) {
     for (Node& node : nodesOf(tree)) {
         HeldRows& rows = node.rows;
         if (rows.point) {
-            rows.pull = std::max(rows.pull, length(Vec2{node.impulse[0], node.impulse[1]}) / h);
+            rows.pull =
+                std::max(rows.pull, length(Vec2{node.impulse[0], node.impulse[1]}) / pass.h);
         }
     }
-    addPulls(tree);
+    addPulls(bodies, pass, tree);
     const std::span<const Member> members = membersOf(tree);
-    return std::any_of(members.begin(), members.end(), [h](const Member& member) {
-        return h * h * member.pull > (1 + kMostRise) * member.ownInertia;
+    return std::any_of(members.begin(), members.end(), [&](const Member& member) {
+        return pass.h * pass.h * member.pull > (1 + kMostRise) * member.ownInertia;
     });
 }
 
@@ -348,7 +354,7 @@ void ArticulatedTrees::apply(Bodies& bodies, const Tree& tree) {
 void ArticulatedTrees::solveBatch(Bodies& bodies, const JointPass& pass) {
     for (Tree* const tree : batch_) {
         if (pass.biased) {
-            addPulls(*tree);
+            addPulls(bodies, pass, *tree);
         }
     }
     unsolved_ = batch_;
@@ -357,7 +363,7 @@ void ArticulatedTrees::solveBatch(Bodies& bodies, const JointPass& pass) {
     for (int solution = 1; pass.biased && solution < kMostSolutions; ++solution) {
         raised_.clear();
         std::erase_if(unsolved_, [&](Tree* tree) {
-            const bool raised = raisePulls(*tree, pass.h);
+            const bool raised = raisePulls(bodies, pass, *tree);
             const bool bent = updateArcs(bodies, *tree, pass.h);
             if (raised) {
                 raised_.push_back(tree);

@@ -184,8 +184,8 @@ private:
     void factorizeTrees(const Bodies& bodies, const JointPass& pass, std::span<Tree* const> trees);
     void solveLinear(std::span<Tree* const> trees);
     Real spinOf(const Bodies& bodies, const Tree& tree);
-    void addPulls(const Tree& tree);
-    bool raisePulls(const Tree& tree, Real h);
+    void addPulls(const Bodies& bodies, const JointPass& pass, const Tree& tree);
+    bool raisePulls(const Bodies& bodies, const JointPass& pass, const Tree& tree);
     bool updateArcs(const Bodies& bodies, const Tree& tree, Real h);
     void begin(const Bodies& bodies, const JointPass& pass, Tree& tree);
     void measure(const Bodies& bodies, const JointPass& pass, Node& node);

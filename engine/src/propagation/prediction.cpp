@@ -19,7 +19,7 @@ struct Place {
     Real deltaAngle = 0;
 };
 
-/// Displacement after a further time h (s) if nothing stops the body.
+/// Displacement after a further time h (s), or now with 0, if nothing stops the body.
 Place ahead(const Bodies& bodies, std::uint32_t body, Real h) {
     const BodyVelocity& motion = bodies.motion[body];
     if (!bodies.active(body)) {
@@ -28,13 +28,6 @@ Place ahead(const Bodies& bodies, std::uint32_t body, Real h) {
     const Acceleration& a = bodies.acceleration[body];
     return {motion.deltaPosition + h * (motion.velocity + h * a.linear),
             motion.deltaAngle + h * (motion.angularVelocity + h * a.angular)};
-}
-
-Place now(const Bodies& bodies, std::uint32_t body) {
-    if (!bodies.active(body)) {
-        return {};
-    }
-    return {bodies.motion[body].deltaPosition, bodies.motion[body].deltaAngle};
 }
 
 Transform placed(const Transform& pose, const Place& by) {
@@ -60,12 +53,11 @@ public:
     Way(Contact& contact, const ContactLane& lane, const Bodies& bodies,
         const Prediction& prediction)
         : bodies_(bodies),
-          h_(prediction.h),
           contact_(contact),
           lane_(lane),
-          tolerances_(prediction.tolerances),
-          hereA_(now(bodies, contact.key.bodyA)),
-          hereB_(now(bodies, contact.key.bodyB)),
+          prediction_(prediction),
+          hereA_(ahead(bodies, contact.key.bodyA, 0)),
+          hereB_(ahead(bodies, contact.key.bodyB, 0)),
           thereA_(ahead(bodies, contact.key.bodyA, prediction.h)),
           thereB_(ahead(bodies, contact.key.bodyB, prediction.h)) {}
 
@@ -87,6 +79,11 @@ public:
         return !contact_.wasTouching &&
                length(hereB_.deltaPosition - hereA_.deltaPosition) >
                    std::min(convexA().coreRadius, convexB().coreRadius) / 2;
+    }
+    /// True if the forces of the step part the bodies. Joints may then hold them where they are.
+    bool leaves() const {
+        const int count = contact_.manifold.count;
+        return count > 0 && std::max(closing(0), closing(count > 1 ? 1 : 0)) < 0;
     }
     /// Removes the manifold.
     void clear() {
@@ -113,18 +110,19 @@ private:
         return bodies_.convex(contact_.key.bodyB, contact_.key.partB);
     }
     void find(const Place& atA, const Place& atB) {
+        const Real margin = prediction_.tolerances.margin;
+        const Real slop = prediction_.tolerances.slop;
         const Transform a = placed(bodies_.pose[contact_.key.bodyA], atA);
         const Transform b = placed(bodies_.pose[contact_.key.bodyB], atB);
-        const Real reach = convexA().boundingRadius + convexB().boundingRadius + tolerances_.margin;
+        const Real reach = convexA().boundingRadius + convexB().boundingRadius + margin;
         if (lengthSquared(b.position - a.position) > reach * reach) {
             clear();
             return;
         }
         contact_.near = true;
         contact_.centerA = a.position;
-        contact_.manifold =
-            collide(convexA(), a, convexB(), b, tolerances_.margin, tolerances_.slop / 8);
-        if (removePassing(contact_.manifold, contact_, bodies_, {a, b}, tolerances_.slop, h_)) {
+        contact_.manifold = collide(convexA(), a, convexB(), b, margin, slop / 8);
+        if (removePassing(contact_.manifold, contact_, bodies_, {a, b}, slop, prediction_.h)) {
             lane_.expire();
         }
         contact_.passing = letPass(contact_.passing, contact_.manifold);
@@ -132,10 +130,9 @@ private:
     }
 
     const Bodies& bodies_;
-    Real h_; // s
     Contact& contact_;
     const ContactLane& lane_;
-    const Tolerances& tolerances_;
+    const Prediction& prediction_;
     Place hereA_;
     Place hereB_;
     Place thereA_;
@@ -147,7 +144,7 @@ private:
 std::array<Real, 2> predictContact(Contact& contact, const ContactLane& lane, const Bodies& bodies,
                                    const Prediction& prediction) {
     Way way(contact, lane, bodies, prediction);
-    const bool hardlyMoves = way.motion() <= prediction.tolerances.margin / 2;
+    const bool hardlyMoves = way.motion() <= prediction.tolerances.margin / 2 || way.leaves();
     const bool outruns = way.ofLine() || (prediction.swept && way.outruns());
     if (prediction.swept && !prediction.fresh && outruns && way.outran()) {
         way.clear();

@@ -40,13 +40,6 @@ bool leftAlone(const Bodies& bodies, const Contact& contact) {
     return contact.sensor || contact.hidden || idle(contact.key.bodyA) || idle(contact.key.bodyB);
 }
 
-RowMasses massesOf(const Bodies& bodies, const PropagationRow& row, bool frozenA, bool frozenB) {
-    const BodyVelocity& a = bodies.motion[row.a];
-    const BodyVelocity& b = bodies.motion[row.b];
-    return {frozenA ? 0 : a.invMass, frozenA ? 0 : a.invInertia, frozenB ? 0 : b.invMass,
-            frozenB ? 0 : b.invInertia};
-}
-
 } // namespace
 
 /// Visits a list island by island, each in an order of its own. `ends` has the end of each island.
@@ -192,8 +185,10 @@ void Propagation::resolveCollisions(Bodies& bodies, ContactStore& store, const S
 }
 
 /// Makes rows for contacts that may touch. A contact with restitution gets none before it touches,
-/// or between two impacts: braking would reduce its rebound.
-void Propagation::makeRows(const Bodies& bodies, ContactStore& store, const JointLists& joints,
+/// or between two impacts: braking would reduce its rebound. Where joints hold a body, the passes
+/// need more than a step to find its impulses: a parked car crept by 6 mm/s. The impulse of a blow
+/// would come again, so a contact starts with impulses only while its bodies rest against it.
+void Propagation::makeRows(Bodies& bodies, ContactStore& store, const JointLists& joints,
                            const Step& step, Real h) {
     const std::span<const Contact> contacts = store.contacts();
     rows_.clear();
@@ -202,15 +197,19 @@ void Propagation::makeRows(const Bodies& bodies, ContactStore& store, const Join
         const Contact& contact = contacts[k];
         const ContactLane lane = store.lane(k);
         const Real slop = step.tolerances.slop;
-        const bool waits = bounces(contact, step.settings) &&
-                           (lane.separation(0) > slop ||
-                            departureOf(bodies, store, k, !isJointed(bodies, joints, contact.key),
-                                        slop, h) == Departure::BetweenImpacts);
+        const bool waits =
+            bounces(contact, step.settings) &&
+            (lane.separation(0) > slop ||
+             departureOf(bodies, store, k, !kodo::isJointed(bodies, joints, contact.key), slop,
+                         h) == Departure::BetweenImpacts);
         for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
             lane.separation(i) = gaps_[k][i];
         }
         if (!waits) {
             addRow(bodies, contact, k, step.settings);
+            if (isJointed(rows_.back())) {
+                warmStart(rows_.back(), lane, bodies, h);
+            }
         }
     });
 }
@@ -241,16 +240,14 @@ void Propagation::resolveContacts(Bodies& bodies, JointSet& joints, const JointP
         const Real fraction = static_cast<Real>(k) / static_cast<Real>(settings.contactPasses);
         joints.solve(bodies, pass);
         forEachRow(Stage::Contacts, k, [&](PropagationRow& row) {
-            solveRow(row, bodies, massesOf(bodies, row, false, false), fraction, 1 / pass.h);
+            solveRow(row, bodies, massesOf(bodies, row), fraction, 1 / pass.h);
         });
     }
 }
 
 void Propagation::propagateShock(Bodies& bodies, const PropagationSettings& settings, Real invH) {
     forEachLevel(Stage::Shock, settings.shockPasses, [&](PropagationRow& row) {
-        const bool frozenA = levelOf_[row.a] < row.level;
-        const bool frozenB = levelOf_[row.b] < row.level;
-        solveRow(row, bodies, massesOf(bodies, row, frozenA, frozenB), 1, invH);
+        solveRow(row, bodies, frozenMasses(bodies, row), 1, invH);
     });
 }
 
@@ -268,14 +265,12 @@ void Propagation::separate(Bodies& bodies, const Step& step, Real h) {
     }
     for (int pass = 0; pass < step.own().contactPasses; ++pass) {
         forEachRow(Stage::Separation, pass, [&](PropagationRow& row) {
-            separateRow(row, parting_, massesOf(bodies, row, false, false), limits);
+            separateRow(row, parting_, massesOf(bodies, row), limits);
         });
     }
     if (step.own().shockPasses > 0) {
         forEachLevel(Stage::SeparationShock, step.own().shockPasses, [&](PropagationRow& row) {
-            const bool frozenA = levelOf_[row.a] < row.level;
-            const bool frozenB = levelOf_[row.b] < row.level;
-            separateRow(row, parting_, massesOf(bodies, row, frozenA, frozenB), limits);
+            separateRow(row, parting_, frozenMasses(bodies, row), limits);
         });
     }
     for (const PropagationRow& row : rows_) {
@@ -292,13 +287,27 @@ void Propagation::separate(Bodies& bodies, const Step& step, Real h) {
     }
 }
 
-/// Bodies with a noticeable impulse of a row move by their velocity, all others in free flight.
-void Propagation::markExposure(const Bodies& bodies, const JointSet& joints, Real h, Real slop) {
+/// Marks the bodies with joints. Locked ones have none: else what hangs from the ground would
+/// change a pile elsewhere on it.
+void Propagation::markJointed(const Bodies& bodies, const JointSet& joints) {
     for (const std::uint32_t body : bodies.awake) {
-        exposure_[body] = ContactExposure::Free;
+        jointed_[body] = 0;
+    }
+    joints.forEachBusy([&](const JointSet::Joint& joint) {
+        for (const BodyId body : {firstBody(joint.def), secondBody(joint.def)}) {
+            jointed_[body.index] = !bodies.locked(body.index);
+        }
+    });
+}
+
+/// Bodies with a joint or a noticeable impulse of a row move by their velocity, all others in free
+/// flight.
+void Propagation::markExposure(const Bodies& bodies, Real h, Real slop) {
+    for (const std::uint32_t body : bodies.awake) {
+        exposure_[body] = jointed_[body] != 0 ? ContactExposure::Touched : ContactExposure::Free;
     }
     for (const PropagationRow& row : rows_) {
-        const RowMasses masses = massesOf(bodies, row, false, false);
+        const RowMasses masses = massesOf(bodies, row);
         Real parted = 0; // m/s
         for (std::size_t i = 0; i < row.count; ++i) {
             parted += row.impulse[i] * masses.response(row.points[i].leverA, row.points[i].leverB);
@@ -307,10 +316,6 @@ void Propagation::markExposure(const Bodies& bodies, const JointSet& joints, Rea
             exposure_[row.a] = exposure_[row.b] = ContactExposure::Touched;
         }
     }
-    joints.forEachBusy([&](const JointSet::Joint& joint) {
-        exposure_[firstBody(joint.def).index] = ContactExposure::Touched;
-        exposure_[secondBody(joint.def).index] = ContactExposure::Touched;
-    });
 }
 
 /// After the displacements: removes the velocity that the errors of trees and limits have added.
@@ -321,25 +326,17 @@ void Propagation::relax(Bodies& bodies, JointSet& joints, JointPass pass,
     if (joints.awakeCount() == 0) {
         return;
     }
-    pass.last = false;
-    joints.solve(bodies, pass);
-    const auto markJointed = [&](std::uint8_t mark) {
-        joints.forEachBusy([&](const JointSet::Joint& joint) {
-            jointed_[firstBody(joint.def).index] = mark;
-            jointed_[secondBody(joint.def).index] = mark;
-        });
-    };
-    markJointed(1);
-    for (int k = 1; k <= kRelaxPasses; ++k) {
-        forEachRow(Stage::Contacts, settings.contactPasses + k, [&](PropagationRow& row) {
-            if ((jointed_[row.a] | jointed_[row.b]) != 0) {
-                solveRow(row, bodies, massesOf(bodies, row, false, false), 1, 1 / pass.h);
-            }
-        });
+    for (int k = 0; k <= kRelaxPasses; ++k) {
+        if (k > 0) {
+            forEachRow(Stage::Contacts, settings.contactPasses + k, [&](PropagationRow& row) {
+                if (isJointed(row)) {
+                    solveRow(row, bodies, massesOf(bodies, row), 1, 1 / pass.h);
+                }
+            });
+        }
         pass.last = k == kRelaxPasses;
         joints.solve(bodies, pass);
     }
-    markJointed(0);
 }
 
 void Propagation::solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints,
@@ -370,15 +367,16 @@ void Propagation::solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints
         resolveCollisions(bodies, store, step, h);
         integrateVelocities(bodies, bodies.awake, h);
         pass.biased = true;
-        joints.warmStart(bodies, pass);
+        markJointed(bodies, joints);
         makeRows(bodies, store, joints.lists(), step, h);
+        joints.warmStart(bodies, pass);
         resolveContacts(bodies, joints, pass, settings);
         if (settings.shockPasses > 0) {
             findLevels(bodies);
             propagateShock(bodies, settings, 1 / h);
         }
         separate(bodies, step, h);
-        markExposure(bodies, joints, h, step.tolerances.slop);
+        markExposure(bodies, h, step.tolerances.slop);
         integrateMoves(bodies, bodies.awake, exposure_, h);
         joints.correct(bodies, pass, kCorrectionPasses, step.tolerances.slop);
         pass.biased = false;

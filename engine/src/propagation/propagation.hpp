@@ -94,15 +94,20 @@ private:
                 const StepSettings& settings);
     void predict(const Bodies& bodies, ContactStore& store, const Prediction& prediction);
     void resolveCollisions(Bodies& bodies, ContactStore& store, const Step& step, Real h);
-    void makeRows(const Bodies& bodies, ContactStore& store, const JointLists& joints,
-                  const Step& step, Real h);
+    void makeRows(Bodies& bodies, ContactStore& store, const JointLists& joints, const Step& step,
+                  Real h);
     void resolveContacts(Bodies& bodies, JointSet& joints, const JointPass& pass,
                          const PropagationSettings& settings);
     void findLevels(const Bodies& bodies);
     void sortByLevel();
     void propagateShock(Bodies& bodies, const PropagationSettings& settings, Real invH);
     void separate(Bodies& bodies, const Step& step, Real h);
-    void markExposure(const Bodies& bodies, const JointSet& joints, Real h, Real slop);
+    void markJointed(const Bodies& bodies, const JointSet& joints);
+    bool isJointed(const PropagationRow& row) const {
+        return (jointed_[row.a] | jointed_[row.b]) != 0;
+    }
+    RowMasses frozenMasses(const Bodies& bodies, const PropagationRow& row) const;
+    void markExposure(const Bodies& bodies, Real h, Real slop);
     void relax(Bodies& bodies, JointSet& joints, JointPass pass,
                const PropagationSettings& settings);
     void store(ContactStore& contacts);
@@ -128,7 +133,7 @@ private:
     std::vector<std::uint32_t> struckEnds_; // by island: its end in struck_
     std::vector<SeparationShift> parting_;  // by body
     std::vector<ContactExposure> exposure_; // by body
-    std::vector<std::uint8_t> jointed_;     // by body; 0 outside relax()
+    std::vector<std::uint8_t> jointed_;     // by body that moves: 1 with a joint
     std::vector<std::uint32_t> node_;       // by body: its node in the contact graph
     std::vector<std::uint32_t> immovable_;  // nodes
     std::vector<SupportEdge> supports_;     // between nodes

@@ -65,6 +65,10 @@ void Propagation::findLevels(const Bodies& bodies) {
     sortByLevel();
 }
 
+RowMasses Propagation::frozenMasses(const Bodies& bodies, const PropagationRow& row) const {
+    return massesOf(bodies, row, levelOf_[row.a] < row.level, levelOf_[row.b] < row.level);
+}
+
 /// Lists the rows that the ground supports, by island and level.
 void Propagation::sortByLevel() {
     byLevel_.clear();

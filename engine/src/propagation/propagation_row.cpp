@@ -165,6 +165,34 @@ PropagationRow makeRow(const Contact& contact, std::uint32_t place) {
     return row;
 }
 
+RowMasses massesOf(const Bodies& bodies, const PropagationRow& row, bool frozenA, bool frozenB) {
+    const BodyVelocity& a = bodies.motion[row.a];
+    const BodyVelocity& b = bodies.motion[row.b];
+    return {frozenA ? 0 : a.invMass, frozenA ? 0 : a.invInertia, frozenB ? 0 : b.invMass,
+            frozenB ? 0 : b.invInertia};
+}
+
+void warmStart(PropagationRow& row, const ContactLane& before, Bodies& bodies, Real h) {
+    const RowMasses masses = massesOf(bodies, row);
+    const Pair pair{bodies.motion[row.a], bodies.motion[row.b], masses};
+    const Vec2 a = h * bodies.acceleration[row.a].linear;
+    const Vec2 b = h * bodies.acceleration[row.b].linear;
+    const Vec2 t = perp(row.normal);
+    const PropagationRow::Point& p = row.points[0];
+    const Vec2 speed{pair.speed(row.normal, p.leverA, p.leverB) - dot(row.normal, b - a),
+                     pair.speed(t, row.tangentLeverA, row.tangentLeverB) - dot(t, b - a)};
+    if (lengthSquared(speed) > std::max(lengthSquared(a), lengthSquared(b))) {
+        return;
+    }
+    for (std::size_t i = 0; i < row.count; ++i) {
+        const Real j = row.impulse[i] = before.impulse(i);
+        pair.push(j * row.normal, j * row.points[i].leverA, j * row.points[i].leverB);
+    }
+    const Real f = row.friction = row.staticFriction > 0 ? before.friction() : Real(0);
+    row.rolling = row.rollingLever > 0 ? before.rolling() : Real(0);
+    pair.push(f * t, f * row.tangentLeverA + row.rolling, f * row.tangentLeverB + row.rolling);
+}
+
 void solveRow(PropagationRow& row, Bodies& bodies, const RowMasses& masses, Real fraction,
               Real invH) {
     const Pair pair{bodies.motion[row.a], bodies.motion[row.b], masses};

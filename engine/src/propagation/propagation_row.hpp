@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "lanes/contact.hpp"
+#include "lanes/contact_lane.hpp"
 
 namespace kodo {
 inline namespace KODO_PRECISION {
@@ -61,6 +61,13 @@ struct SeparationShift {
 
 /// A row without impulses.
 PropagationRow makeRow(const Contact& contact, std::uint32_t place);
+
+RowMasses massesOf(const Bodies& bodies, const PropagationRow& row, bool frozenA = false,
+                   bool frozenB = false);
+
+/// Starts a row with the impulses of the step before, `before`, if its bodies move against each
+/// other no faster than the forces of a substep of h (s) move them from rest. These have acted.
+void warmStart(PropagationRow& row, const ContactLane& before, Bodies& bodies, Real h);
 
 /// One visit: normal impulses, then friction and rolling within the bounds of the normal impulses
 /// so far. `fraction` is 1 + e, with the restitution e <= 0 of the pass:
