@@ -28,12 +28,18 @@ void reserveReusing(std::vector<Value>& values, std::size_t most) {
     }
 }
 
+/// Sorts indices or ids and removes duplicates. A total order: equal ones are identical.
+template <typename T>
+void sortUnique(std::vector<T>& list) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
 /// Appends an index to a list that may contain duplicates. Removes these once the list is longer
 /// than twice `count`, the number of different indices.
 inline void appendIndex(std::vector<std::uint32_t>& list, std::uint32_t index, std::size_t count) {
     if (list.size() > 2 * count) {
-        std::sort(list.begin(), list.end()); // total order: equal indices are identical
-        list.erase(std::unique(list.begin(), list.end()), list.end());
+        sortUnique(list);
     }
     list.push_back(index);
 }

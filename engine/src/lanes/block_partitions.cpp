@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
@@ -35,8 +34,7 @@ void BlockPartitions::notePushed(const Step& step, std::uint32_t block) {
     const std::uint8_t partition = step.blocks.stateOf(block).partition;
     forEachPushed(step.pass, block, [&](std::uint32_t body) {
         if (single || step.blocks.partitions().of(body) != partition) {
-            commonStale_ =
-                std::exchange(pushedByOthers_[body], std::uint8_t{1}) == 0 || commonStale_;
+            pushedByOthers_[body] = 1;
         }
     });
 }
@@ -49,41 +47,19 @@ bool BlockPartitions::pushesCommon(const Step& step, std::uint32_t block) const 
 }
 
 void BlockPartitions::buildGraph(const Step& step, WorkerTeam& team) {
-    const std::uint64_t before = std::exchange(lanesState_, step.blocks.lanesState());
-    const bool follows =
-        before + 1 == lanesState_ && partitions_ == step.blocks.partitions().count();
     partitions_ = step.blocks.partitions().count();
     common_.resize(step.blocks.blockCount());
     const std::span<const std::uint32_t> order(step.pass.order, step.pass.count);
-    if (follows) {
-        pushedByOthers_.resize(step.bodyCount, 0);
-        for (const std::uint32_t place : step.newcomers) {
-            const std::uint32_t row = step.contacts[place].row.index;
-            notePushed(step, row / ContactBlock::kContacts);
-        }
-        for (const std::uint32_t place : step.newcomers) {
-            const std::uint32_t block = step.contacts[place].row.index / ContactBlock::kContacts;
+    pushedByOthers_.assign(step.bodyCount, 0);
+    for (const std::uint32_t block : order) {
+        notePushed(step, block);
+    }
+    team.forEach(order.size(), kBlocksPerPiece, [&](std::size_t first, std::size_t last) {
+        for (const std::uint32_t block : order.subspan(first, last - first)) {
             common_[block] = pushesCommon(step, block) ? 1 : 0;
         }
-    } else {
-        pushedByOthers_.assign(step.bodyCount, 0);
-        for (const std::uint32_t block : order) {
-            notePushed(step, block);
-        }
-        commonStale_ = true;
-    }
-    const bool stale = std::exchange(commonStale_, false);
-    if (stale) {
-        team.forEach(order.size(), kBlocksPerPiece, [&](std::size_t first, std::size_t last) {
-            for (const std::uint32_t block : order.subspan(first, last - first)) {
-                common_[block] = pushesCommon(step, block) ? 1 : 0;
-            }
-        });
-    }
-    if (stale || !step.newcomers.empty() ||
-        !std::equal(listed_.begin(), listed_.end(), order.begin(), order.end())) {
-        listBlocks(step);
-    }
+    });
+    listBlocks(step);
     listBodies(step);
 }
 
@@ -117,8 +93,6 @@ void BlockPartitions::listBlocks(const Step& step) {
         }
         first = end;
     }
-    listed_.resize(step.pass.count);
-    std::copy(order, order + step.pass.count, listed_.begin());
 }
 
 void BlockPartitions::listBodies(const Step& step) {

@@ -24,11 +24,9 @@ public:
     struct Step {
         const ContactBlocks& blocks;
         std::uint32_t level;
-        const ContactPassArguments& pass; // over the blocks of that level
-        std::span<const ContactSummary> contacts;
-        std::span<const std::uint32_t> newcomers; // see ContactBlocks::arrange
-        std::span<const std::uint32_t> bodies;    // that can be moved, in order
-        std::size_t bodyCount;                    // all bodies
+        const ContactPassArguments& pass;      // over the blocks of that level
+        std::span<const std::uint32_t> bodies; // that can be moved, in order
+        std::size_t bodyCount;                 // all bodies
     };
     /// Assigns the blocks for the passes of a step.
     void buildGraph(const Step& step, WorkerTeam& team);
@@ -66,13 +64,10 @@ private:
 
     std::vector<std::uint8_t> pushedByOthers_; // by body: another partition moves it
     std::vector<std::uint8_t> common_;         // by block: is a border block
-    std::vector<std::uint32_t> listed_;        // order of the pass that order_ was made from
     std::vector<std::uint32_t> order_;
-    std::vector<Range> ranges_;    // by colour and partition
-    std::vector<Part> parts_;      // by partition
-    std::uint64_t lanesState_ = 0; // ContactBlocks::lanesState() of these blocks
+    std::vector<Range> ranges_; // by colour and partition
+    std::vector<Part> parts_;   // by partition
     std::uint32_t partitions_ = 1;
-    bool commonStale_ = true;
 };
 
 } // namespace KODO_PRECISION

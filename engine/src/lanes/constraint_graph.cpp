@@ -151,7 +151,6 @@ void ContactBlocks::forgetLanes() {
     surfaces_.clear();
     passOrder_.clear();
     rows_ = {};
-    lanesState_ += 2;
     orderStale_ = true;
     rowsAssigned_ = false;
 }

@@ -44,7 +44,6 @@ void ContactBlocks::begin(const ContactList& contacts, bool friction, bool rolli
         forgetLanes();
     }
     uncoloured_ = 0;
-    ++lanesState_;
     if (!rowsAssigned_) {
         assignRows(contacts);
     }

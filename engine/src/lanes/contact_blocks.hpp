@@ -82,7 +82,6 @@ public:
             taken_[row] = 0;
             leave(entry);
             release(row);
-            lanesState_ += 2;
         }
         entry.summary.row = {};
     }
@@ -112,9 +111,6 @@ public:
     std::size_t size(std::uint32_t level) const { return rows_[level]; }
     std::size_t uncoloured() const { return uncoloured_; }
     std::size_t blockCount() const { return blocks_.size(); }
-    /// Grows by 1 with each begin(), and by more with each rebuild. After growth by 1, only the
-    /// newcomers of arrange() have other lanes than before.
-    std::uint64_t lanesState() const { return lanesState_; }
 
     /// After the passes: updates touched(). A point touches if it had an impulse, or if its
     /// separation is at most `slop` (m).
@@ -191,7 +187,6 @@ private:
     std::vector<std::uint32_t> open_;         // by partition and bin: a block with a free lane
     BodyPartitions partitions_;
     ReorderPolicy reorderPolicy_; // for lanes of contacts with a colour
-    std::uint64_t lanesState_ = 0;
     std::uint32_t spare_ = 0;
     PushLimit pushLimit_;
     Features features_;

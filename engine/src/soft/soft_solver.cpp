@@ -41,8 +41,7 @@ void SoftSolver::findJointed(const JointSet& joints) {
         jointed_.push_back(firstBody(joint.def).index);
         jointed_.push_back(secondBody(joint.def).index);
     });
-    std::sort(jointed_.begin(), jointed_.end()); // total order: equal indices are identical
-    jointed_.erase(std::unique(jointed_.begin(), jointed_.end()), jointed_.end());
+    sortUnique(jointed_);
     fromJoints_.resize(jointed_.size());
     beforeJoints_.resize(jointed_.size());
 }
@@ -240,8 +239,7 @@ void SoftSolver::preparePasses(Substeps& run) {
     ContactBlocks& blocks = run.contactSet.lanes();
     run.pass = blocks.pass(run.bodies, run.level, run.pass.settings);
     if (!run.team.alone()) {
-        group.partitions.buildGraph({blocks, run.level, run.pass, run.contactSet.summaries(),
-                                     newcomers_, group.bound, run.bodies.size()},
+        group.partitions.buildGraph({blocks, run.level, run.pass, group.bound, run.bodies.size()},
                                     run.team);
     }
 }
