@@ -69,7 +69,6 @@ bool ContactStore::sort() {
             continue;
         }
         moved = true;
-        lists_.forget();
         const Contact contact = contacts_[start];
         const ContactSummary summary = summaries_[start];
         const ContactNumbers numbers = lanes_.waiting(start).numbers();
@@ -83,6 +82,9 @@ bool ContactStore::sort() {
         summaries_[to] = summary;
         lanes_.waiting(to) = numbers;
         order_[to].slot = to;
+    }
+    if (moved) {
+        listAll();
     }
     return moved;
 }

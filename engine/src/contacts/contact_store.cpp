@@ -48,21 +48,17 @@ void ContactStore::sortByKey(std::span<std::uint32_t> slots) const {
     }
 }
 
-const ContactLists& ContactStore::lists() const {
-    if (!lists_.isValid()) {
-        lists_.begin(contacts_.size());
-        forEachInOrder([&](std::uint32_t slot) {
-            lists_.add(slot, summaries_[slot].bodyA, summaries_[slot].bodyB);
-        });
+/// After many contacts have moved, none of which is detached.
+void ContactStore::listAll() {
+    lists_.clear(contacts_.size());
+    for (const Place& place : order_) {
+        lists_.add(place.slot, summaries_[place.slot].bodyA, summaries_[place.slot].bodyB);
     }
-    return lists_;
 }
 
 void ContactStore::detach(std::uint32_t slot) {
     ContactSummary& summary = summaries_[slot];
-    if (lists_.isValid()) {
-        lists_.remove(slot, summary.bodyA, summary.bodyB);
-    }
+    lists_.remove(slot, summary.bodyA, summary.bodyB);
     summary.gone = true;
     contacts_[slot].phase.reset(); // no record
     gone_.push_back(slot);
@@ -98,9 +94,7 @@ void ContactStore::fillHoles() {
         }
         movedTo_[slot - kept] = holes_[hole];
         const ContactSummary& moved = summaries_[slot];
-        if (lists_.isValid()) {
-            lists_.move(static_cast<std::uint32_t>(slot), holes_[hole], moved.bodyA, moved.bodyB);
-        }
+        lists_.move(static_cast<std::uint32_t>(slot), holes_[hole], moved.bodyA, moved.bodyB);
         moveContact(static_cast<std::uint32_t>(slot), holes_[hole++]);
     }
     reorderPolicy_.strayed += hole;
@@ -179,10 +173,8 @@ void ContactStore::merge(const CandidatePairs& candidates, Bodies& bodies, Worke
             continue;
         }
         holes_.push_back(order_[next++].slot);
-        if (lists_.isValid()) {
-            const ContactSummary& removed = summaries_[holes_.back()];
-            lists_.remove(holes_.back(), removed.bodyA, removed.bodyB);
-        }
+        const ContactSummary& removed = summaries_[holes_.back()];
+        lists_.remove(holes_.back(), removed.bodyA, removed.bodyB);
     }
     keepUpTo(order_.size());
     std::swap(order_, newOrder_);
@@ -229,11 +221,9 @@ void ContactStore::addContacts(const CandidatePairs& candidates, Bodies& bodies,
             rank = std::max(rank, bodies.record[pair.bodyA].crowdRank + 1);
         }
     }
-    if (lists_.isValid()) {
-        for (const std::uint32_t at : added_) {
-            const ContactSummary& summary = summaries_[order_[at].slot];
-            lists_.add(order_[at].slot, summary.bodyA, summary.bodyB);
-        }
+    for (const std::uint32_t at : added_) {
+        const ContactSummary& summary = summaries_[order_[at].slot];
+        lists_.add(order_[at].slot, summary.bodyA, summary.bodyB);
     }
 }
 
@@ -278,9 +268,7 @@ std::uint32_t ContactStore::append(const StoredContact& contact, const PartBound
     lanes_.resize(contacts_.size());
     lanes_.waiting(slot) = contact.numbers;
     renewSummary(slot, bounds);
-    if (lists_.isValid()) {
-        lists_.add(slot, contact.key.bodyA, contact.key.bodyB);
-    }
+    lists_.add(slot, contact.key.bodyA, contact.key.bodyB);
     ++reorderPolicy_.strayed;
     return slot;
 }
@@ -304,7 +292,6 @@ void ContactStore::insertAppended() {
 }
 
 void ContactStore::order(const PartBounds& bounds) {
-    lists_.forget();
     order_.resize(contacts_.size());
     for (std::uint32_t slot = 0; slot < order_.size(); ++slot) {
         order_[slot].slot = slot;
@@ -314,6 +301,7 @@ void ContactStore::order(const PartBounds& bounds) {
                   return contacts_[a.slot].key < contacts_[b.slot].key;
               });
     renewPlaces(bounds);
+    listAll();
 }
 
 void ContactStore::describe(const Bodies& bodies, const PartBounds& bounds) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/pair_lists.hpp"
 #include "base/reorder_policy.hpp"
 #include "base/worker_team.hpp"
 #include "contacts/candidate_pairs.hpp"
-#include "contacts/contact_lists.hpp"
 
 #include <span>
 #include <vector>
@@ -30,16 +30,12 @@ public:
     const ContactBlocks& lanes() const { return lanes_; }
     /// The home of the numbers of a contact.
     ContactLane lane(std::uint32_t slot) { return lanes_.lane(slot, summaries_[slot]); }
+    /// The same, to be read alone.
+    ContactLane read(std::uint32_t slot) const { return lanes_.read(slot, summaries_[slot]); }
     /// m, of the first point.
-    Real separation(std::uint32_t slot) const { return lanes_.separation(slot, summaries_[slot]); }
-    /// See ContactLanes::expired().
-    bool expired(std::uint32_t slot) const { return lanes_.expired(slot, summaries_[slot]); }
-    Real approachSpeed(std::uint32_t slot) const {
-        return lanes_.approachSpeed(slot, summaries_[slot]);
-    }
-    ContactNumbers numbers(std::uint32_t slot) const {
-        return lanes_.numbers(slot, summaries_[slot]);
-    }
+    Real separation(std::uint32_t slot) const { return read(slot).separation(0); }
+    Real approachSpeed(std::uint32_t slot) const { return read(slot).approachSpeed(); }
+    ContactNumbers numbers(std::uint32_t slot) const { return read(slot).numbers(); }
     /// Copy of a contact with its numbers, and with separations and centerA up to date.
     StoredContact copyOf(std::uint32_t slot, const Bodies& bodies) const;
     /// Must be called before a change of a contact within a step: the next step visits it.
@@ -70,7 +66,7 @@ public:
         lists_.makeRoom(bodies.size(), bodies.record.capacity());
     }
     /// Slots of the contacts of each body.
-    const ContactLists& lists() const;
+    const PairLists& lists() const { return lists_; }
 
     /// Takes a contact out of the lists of its bodies. Its slot stays in use until freeDetached().
     void detach(std::uint32_t slot);
@@ -132,6 +128,7 @@ private:
         bool isNew;
     };
 
+    void listAll();
     void fillHoles();
     void addContacts(const CandidatePairs& candidates, Bodies& bodies, WorkerTeam& team);
     std::uint32_t append(const StoredContact& contact, const PartBounds& bounds);
@@ -144,7 +141,7 @@ private:
     ContactBlocks lanes_;
     std::vector<Place> order_;        // of the contacts, by key
     std::vector<Place> newOrder_;     // scratch: merging allocates nothing
-    mutable ContactLists lists_;      // by body; see lists()
+    PairLists lists_;                 // by body
     std::vector<std::uint32_t> gone_; // slots of detached contacts, until freeDetached()
     std::vector<Change> changes_;     // while merging
     ParallelCollector<Change> changesFound_;

@@ -32,8 +32,7 @@ public:
         }
         const std::size_t many = 4 * counts_.size();
         if (changes_.size() > many) { // for example, a region that moves often between two steps
-            std::sort(changes_.begin(), changes_.end()); // total order: equal ones are identical
-            changes_.erase(std::unique(changes_.begin(), changes_.end()), changes_.end());
+            sortUnique(changes_);
         }
     }
     /// The same on any thread, without a change in changes(): see addChanges.

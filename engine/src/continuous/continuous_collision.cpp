@@ -167,9 +167,6 @@ void ContinuousCollision::run(Bodies& bodies, ContactSet& contactSet, const Join
     const auto& [settings, tolerances, dt] = parameters;
     candidates_.clear();
     stoppedAtLines_.clear();
-    if (contactSet.mayBounce()) {
-        contactSet.store().lists(); // built here, read on any thread
-    }
     bool sensors = false;
     if (markSwift(bodies, contactSet.mayBounce(), tolerances, team) ||
         contactSet.mayHaveSensors()) {

@@ -70,7 +70,7 @@ Real motionAgainst(const Bodies& bodies, Vec2 normal, const MovingBody& movingA,
 Real gapOf(const Bodies& bodies, const ContactSet& contactSet, std::uint32_t slot,
            const Tolerances& tolerances) {
     const ContactStore& store = contactSet.store();
-    if (!store.expired(slot)) {
+    if (!store.read(slot).expired()) {
         return store.summaries()[slot].mayTouch ? store.separation(slot) : tolerances.margin;
     }
     const auto& [bodyA, partA, bodyB, partB] = contactSet.contacts()[slot].key;
@@ -81,7 +81,7 @@ Real gapOf(const Bodies& bodies, const ContactSet& contactSet, std::uint32_t slo
 
 bool isUnheld(const Bodies& bodies, const ContactSet& contactSet, std::uint32_t slot, Real slop) {
     const Contact& contact = contactSet.contacts()[slot];
-    if (!contact.bounces || contactSet.store().expired(slot) ||
+    if (!contact.bounces || contactSet.store().read(slot).expired() ||
         (contact.manifold.count < 2 && !mayGainPoint(bodies, contact))) {
         return false;
     }

@@ -51,6 +51,9 @@ public:
     }
     /// The next step finds the manifold again.
     void expire() const { relativeDisplacement() = kExpired; }
+    /// True for a manifold that was found within the step, or whose bodies were stopped: its
+    /// separations are not those at the start of the step.
+    bool expired() const { return relativeDisplacement() >= kExpired; }
     static constexpr Real kExpired = std::numeric_limits<Real>::max() / 4; // m
     /// Removes what warm starts the next step.
     void clearImpulses() const {
@@ -112,20 +115,9 @@ public:
                                                 BlockBins::partsOf(states_[blockOf(row)].bin))
                                   : waiting(slot);
     }
-    ContactNumbers numbers(std::uint32_t slot, const ContactSummary& summary) const {
-        return const_cast<ContactLanes*>(this)->lane(slot, summary).numbers();
-    }
-    Real separation(std::uint32_t slot, const ContactSummary& summary) const {
-        return homeOf(slot, summary).points[0].separation[homeLane(slot, summary)];
-    }
-    Real approachSpeed(std::uint32_t slot, const ContactSummary& summary) const {
-        return homeOf(slot, summary).approachSpeed[homeLane(slot, summary)];
-    }
-    /// True for a manifold that was found within the step, or whose bodies were stopped: its
-    /// separations are not those at the start of the step.
-    bool expired(std::uint32_t slot, const ContactSummary& summary) const {
-        return homeOf(slot, summary).relativeDisplacement[homeLane(slot, summary)] >=
-               ContactLane::kExpired;
+    /// The same, to be read alone.
+    ContactLane read(std::uint32_t slot, const ContactSummary& summary) const {
+        return const_cast<ContactLanes*>(this)->lane(slot, summary);
     }
     /// m, of all points; of a contact in the passes.
     Real leastSeparation(std::uint32_t row) const {
@@ -155,7 +147,7 @@ public:
     /// Moves a contact to its waiting lane. On any thread.
     void leave(const ContactEntry& entry) {
         if (entry.summary.inPasses()) {
-            const ContactNumbers numbers = this->numbers(entry.slot, entry.summary);
+            const ContactNumbers numbers = lane(entry.slot, entry.summary).numbers();
             entry.summary.row.index = ContactRow::kNone;
             waiting(entry.slot) = numbers;
         }
@@ -166,13 +158,6 @@ protected:
     std::vector<BlockState> states_; // by block
 
 private:
-    const ContactBlock& homeOf(std::uint32_t slot, const ContactSummary& summary) const {
-        return summary.inPasses() ? blocks_[blockOf(summary.row.index)] : waiting_[blockOf(slot)];
-    }
-    static std::size_t homeLane(std::uint32_t slot, const ContactSummary& summary) {
-        return laneOf(summary.inPasses() ? summary.row.index : slot);
-    }
-
     std::vector<ContactBlock> waiting_;
 };
 

@@ -89,7 +89,6 @@ void SoftSolver::findDepartures(const Collecting& run) {
     ContactStore& store = run.contactSet.store();
     const std::span<const std::uint32_t> live = run.contactSet.live();
     const Real slop = run.step.tolerances.slop;
-    store.lists(); // built here, read on any thread
     departures_.resize(store.contacts().size());
     run.step.team.forEach(live.size(), kNewcomersPerPiece, [&](std::size_t from, std::size_t to) {
         for (const std::uint32_t place : live.subspan(from, to - from)) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "contacts/contact_lists.hpp"
+#include "base/pair_lists.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -68,7 +68,7 @@ private:
 
     std::vector<StoredContact> contacts_; // with gaps: a removal keeps the order of the others
     std::size_t gaps_ = 0;
-    ContactLists lists_;               // by body: indices in contacts_
+    PairLists lists_;                  // by body: indices in contacts_
     std::vector<std::uint32_t> slots_; // scratch of take()
     std::uint64_t visits_ = 0;
 };

@@ -9,16 +9,15 @@
 
 namespace kodo {
 
-/// The contacts of each body: a doubly linked list of slots for each body. Adding, removing and
-/// moving a contact takes constant time. The order within a list depends on history; no result may
-/// depend on it.
-class ContactLists {
+/// The contacts or joints of each body: a doubly linked list of slots for each body. Adding,
+/// removing and moving a pair takes constant time. The order within a list depends on history; no
+/// result may depend on it.
+class PairLists {
 public:
-    /// False after changes of many contacts at once: then all must be added again.
-    bool isValid() const { return valid_; }
-    void forget() { valid_ = false; }
-    void begin(std::size_t slots) {
-        valid_ = true;
+    static constexpr std::uint32_t kEnd = ~std::uint32_t{};
+
+    /// Empties all lists, with room for this many slots.
+    void clear(std::size_t slots = 0) {
         std::fill(first_.begin(), first_.end(), kEnd);
         links_.resize(2 * slots);
     }
@@ -37,30 +36,38 @@ public:
             links_.resize(ends);
         }
         add(2 * slot, bodyA);
-        add(2 * slot + 1, bodyB);
+        if (bodyB != bodyA) {
+            add(2 * slot + 1, bodyB);
+        }
     }
     void remove(std::uint32_t slot, std::uint32_t bodyA, std::uint32_t bodyB) {
         remove(2 * slot, bodyA);
-        remove(2 * slot + 1, bodyB);
+        if (bodyB != bodyA) {
+            remove(2 * slot + 1, bodyB);
+        }
     }
-    /// The contact has moved to another slot, which was removed before.
+    /// A pair of two bodies has moved to another slot, which was removed before.
     void move(std::uint32_t from, std::uint32_t to, std::uint32_t bodyA, std::uint32_t bodyB) {
         move(2 * from, 2 * to, bodyA);
         move(2 * from + 1, 2 * to + 1, bodyB);
     }
 
-    /// Calls visit(slot) for each contact of a body. visit may remove that contact.
+    /// Index of the first link of a body, and of the one after; kEnd: none. Link / 2 is the slot.
+    std::uint32_t firstOf(std::uint32_t body) const {
+        return body < first_.size() ? first_[body] : kEnd;
+    }
+    std::uint32_t after(std::uint32_t link) const { return links_[link].next; }
+    /// Calls visit(slot) for each pair of a body. visit may remove that pair.
     template <typename Visit>
     void forEach(std::uint32_t body, Visit visit) const {
-        std::uint32_t link = body < first_.size() ? first_[body] : kEnd;
+        std::uint32_t link = firstOf(body);
         while (link != kEnd) {
-            visit(std::exchange(link, links_[link].next) / 2);
+            visit(std::exchange(link, after(link)) / 2);
         }
     }
 
 private:
-    static constexpr std::uint32_t kEnd = ~std::uint32_t{};
-    /// One end of a contact: 2 slot for its body a, 2 slot + 1 for b.
+    /// One end of a pair: 2 slot for its body a, 2 slot + 1 for b.
     struct Link {
         std::uint32_t next = kEnd;
         std::uint32_t before = kEnd;
@@ -94,7 +101,6 @@ private:
 
     std::vector<std::uint32_t> first_; // by body: link
     std::vector<Link> links_;          // by link
-    bool valid_ = false;
 };
 
 } // namespace kodo
