@@ -28,10 +28,10 @@ void reserveReusing(std::vector<Value>& values, std::size_t most) {
     }
 }
 
-/// Sorts indices or ids and removes duplicates. A total order: equal ones are identical.
+/// Sorts indices or ids and removes duplicates.
 template <typename T>
 void sortUnique(std::vector<T>& list) {
-    std::sort(list.begin(), list.end());
+    std::sort(list.begin(), list.end()); // total order: equal ones are identical
     list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 

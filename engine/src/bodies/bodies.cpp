@@ -145,18 +145,10 @@ BodyId unweldPart(Bodies& bodies, std::uint32_t body, const DividedGeometry& geo
     const Real inertia = bodies.geometry(body).mass.inertia;
     const bool setMass = !bodies.geometry(body).setMasses.empty();
 
-    BodyDef def;
+    BodyDef def = definitionOf(made);
     def.position = frame.position;
     def.rotation = frame.rotation;
     def.angularVelocity = before.angularVelocity;
-    def.type = typeOf(made.filter.flags);
-    def.flags = made.filter.flags;
-    def.required = made.filter.required;
-    def.group = made.filter.group;
-    def.userData = made.userData;
-    def.linearDamping = made.rules.linearDamping;
-    def.angularDamping = made.rules.angularDamping;
-    def.gravityScale = made.rules.gravityScale;
     const BodyId freed = addBody(bodies, def, geometry.taken);
     setGeometry(bodies, body, geometry.rest);
     if (setMass && canTurn(bodies, body) && canTurn(bodies, freed.index)) {
@@ -231,9 +223,7 @@ bool refreshAwake(Bodies& bodies) {
     if (changed.empty()) {
         return false;
     }
-    // total order: equal indices are identical
-    std::sort(changed.begin(), changed.end());
-    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+    sortUnique(changed);
     updateAwake(bodies, changed);
     changed.clear();
     bodies.changes.loadsStale = true;
@@ -249,8 +239,7 @@ void clearArrivals(Bodies& bodies) {
 
 void countLostLoads(Bodies& bodies) {
     std::vector<std::uint32_t>& list = bodies.changes.lostLoads;
-    std::sort(list.begin(), list.end()); // total order: equal indices are identical
-    list.erase(std::unique(list.begin(), list.end()), list.end());
+    sortUnique(list);
     std::erase_if(list, [&](std::uint32_t body) {
         std::uint8_t& steps = bodies.record[body].lostLoad;
         steps = static_cast<std::uint8_t>(steps - (steps > 0));

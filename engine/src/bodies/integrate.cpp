@@ -83,8 +83,7 @@ bool gatherAccelerations(Bodies& bodies, std::span<const FieldEntry> fields, Rea
     std::vector<std::uint32_t>& entered = bodies.changes.entered;
     const bool all = std::exchange(bodies.accelerationsStale, false);
     if (!all) {
-        std::sort(entered.begin(), entered.end()); // total order: equal indices are identical
-        entered.erase(std::unique(entered.begin(), entered.end()), entered.end());
+        sortUnique(entered);
         std::erase_if(entered, [&](std::uint32_t body) {
             return !std::binary_search(bodies.awake.begin(), bodies.awake.end(), body);
         });

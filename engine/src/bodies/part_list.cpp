@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "bodies/part_list.hpp"
 
+#include "bodies/body_checks.hpp"
+
 #include <algorithm>
 #include <cstddef>
 #include <limits>
@@ -120,6 +122,19 @@ void setMass(PartList& list, const Mass& mass) {
 
 FormerBody formerBody(const PartList& list, std::size_t part) {
     return list.former.empty() ? FormerBody{} : list.former[part];
+}
+
+BodyDef definitionOf(const FormerBody& body) {
+    BodyDef def;
+    def.type = typeOf(body.filter.flags);
+    def.flags = body.filter.flags;
+    def.required = body.filter.required;
+    def.group = body.filter.group;
+    def.userData = body.userData;
+    def.linearDamping = body.rules.linearDamping;
+    def.angularDamping = body.rules.angularDamping;
+    def.gravityScale = body.rules.gravityScale;
+    return def;
 }
 
 void append(PartList& list, const PartList& added, const Transform& place, const FormerBody& body) {

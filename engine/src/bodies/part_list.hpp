@@ -71,6 +71,8 @@ void setMass(PartList& list, const Mass& mass);
 
 /// What a part was, or nothing known.
 FormerBody formerBody(const PartList& list, std::size_t part);
+/// Its type, flags, filter, user data and rules, as those of a body to be added.
+BodyDef definitionOf(const FormerBody& body);
 /// Appends the parts of a body at their place in the frame of the list. Parts that were bodies
 /// before stay what they were; the others become parts of `body`.
 void append(PartList& list, const PartList& added, const Transform& place, const FormerBody& body);

@@ -159,10 +159,8 @@ Manifold clipAgainstFace(Placed a, Placed b, const Transform& ab, const FaceAxis
 
 Manifold clipAgainstFaceOfB(Placed a, Placed b, const Transform& ba, const FaceAxis& axis,
                             Real margin, BeyondEnds beyond) {
-    Manifold manifold = clipAgainstFace(b, a, ba, axis, margin, beyond);
-    manifold.normal = -manifold.normal;
+    Manifold manifold = swapped(clipAgainstFace(b, a, ba, axis, margin, beyond));
     for (ManifoldPoint& point : manifold.points) {
-        std::swap(point.armA, point.armB);
         point.feature |= 1u << 31;
     }
     return manifold;

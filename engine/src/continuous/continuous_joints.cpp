@@ -46,21 +46,15 @@ Real violation(const JointDef& def, Vec2 gap, Rot rotationA) {
 /// Violation (m) of a joint if its bodies are at these fractions of the step.
 Real ContinuousCollision::violationAt(const Bodies& bodies, const JointDef& def, Real fractionA,
                                       Real fractionB) const {
-    return std::visit(
-        [&](const auto& kind) -> Real {
-            if constexpr (requires { kind.ends; }) {
-                const JointEnds& ends = kind.ends;
-                const Transform a = pathOf(bodies, ends.a.index).at(fractionA);
-                const Transform b = pathOf(bodies, ends.b.index).at(fractionB);
-                const Vec2 gap = b.position +
-                                 armOf(bodies, ends.b.index, b.rotation, ends.anchorB) -
-                                 a.position - armOf(bodies, ends.a.index, a.rotation, ends.anchorA);
-                return violation(def, gap, a.rotation);
-            } else {
-                return 0;
-            }
-        },
-        def);
+    const JointEnds* const ends = endsOf(def);
+    if (ends == nullptr) {
+        return 0;
+    }
+    const Transform a = pathOf(bodies, ends->a.index).at(fractionA);
+    const Transform b = pathOf(bodies, ends->b.index).at(fractionB);
+    const Vec2 gap = b.position + armOf(bodies, ends->b.index, b.rotation, ends->anchorB) -
+                     a.position - armOf(bodies, ends->a.index, a.rotation, ends->anchorA);
+    return violation(def, gap, a.rotation);
 }
 
 /// A body that has been stopped would lose the others at its joints, which move on: these are

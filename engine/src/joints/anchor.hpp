@@ -7,9 +7,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
+
+/// The two ends of a joint; nullptr for a MouseJoint, which has one body.
+inline const JointEnds* endsOf(const JointDef& def) {
+    return std::visit(
+        [](const auto& kind) -> const JointEnds* {
+            if constexpr (requires { kind.ends; }) {
+                return &kind.ends;
+            } else {
+                return nullptr;
+            }
+        },
+        def);
+}
 
 /// Vector (m, world axes) from the centre of mass to an anchor, which is in the frame of the shape.
 inline Vec2 armOf(const Bodies& bodies, std::uint32_t body, Rot rotation, Vec2 anchor) {

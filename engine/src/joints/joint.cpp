@@ -3,6 +3,7 @@
 
 #include "base/checks.hpp"
 #include "bodies/body_checks.hpp"
+#include "joints/anchor.hpp"
 
 #include <cmath>
 #include <string>
@@ -171,7 +172,7 @@ std::optional<Problem> checkKind(const MotorJoint& joint, Real) {
     return std::nullopt;
 }
 
-std::optional<Problem> checkMouse(const MouseJoint& mouse, Real unit) {
+std::optional<Problem> checkKind(const MouseJoint& mouse, Real unit) {
     if (auto problem =
             firstOf({checkSet("body", mouse.body), checkPosition("anchor", mouse.anchor, unit),
                      checkPosition("target", mouse.target, unit),
@@ -189,43 +190,21 @@ std::optional<Problem> checkMouse(const MouseJoint& mouse, Real unit) {
 } // namespace
 
 std::optional<Problem> check(const JointDef& def, Real lengthUnit) {
-    if (const auto* mouse = std::get_if<MouseJoint>(&def)) {
-        return checkMouse(*mouse, lengthUnit);
+    const JointEnds* const ends = endsOf(def);
+    if (auto problem = ends != nullptr ? checkEnds(*ends, lengthUnit) : std::nullopt) {
+        return problem;
     }
-    return std::visit(
-        [=](const auto& kind) -> std::optional<Problem> {
-            if constexpr (requires { kind.ends; }) {
-                const auto problem = checkEnds(kind.ends, lengthUnit);
-                return problem ? problem : checkKind(kind, lengthUnit);
-            } else {
-                return std::nullopt;
-            }
-        },
-        def);
+    return std::visit([=](const auto& kind) { return checkKind(kind, lengthUnit); }, def);
 }
 
 BodyId firstBody(const JointDef& def) {
-    return std::visit(
-        [](const auto& kind) {
-            if constexpr (requires { kind.ends; }) {
-                return kind.ends.a;
-            } else {
-                return kind.body;
-            }
-        },
-        def);
+    const JointEnds* const ends = endsOf(def);
+    return ends != nullptr ? ends->a : std::get<MouseJoint>(def).body;
 }
 
 BodyId secondBody(const JointDef& def) {
-    return std::visit(
-        [](const auto& kind) {
-            if constexpr (requires { kind.ends; }) {
-                return kind.ends.b;
-            } else {
-                return kind.body;
-            }
-        },
-        def);
+    const JointEnds* const ends = endsOf(def);
+    return ends != nullptr ? ends->b : std::get<MouseJoint>(def).body;
 }
 
 } // namespace KODO_PRECISION

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Loads of the joints in a step, and joints that break under them.
+#include "joints/anchor.hpp"
 #include "joints/joint_set.hpp"
 
 #include <algorithm>
@@ -10,35 +11,6 @@
 namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
-
-struct Overload {
-    Real force;
-    Real torque;
-};
-Overload limitsOf(const JointDef& def) {
-    return std::visit(
-        [](const auto& kind) -> Overload {
-            if constexpr (requires { kind.ends; }) {
-                return {kind.ends.breakForce, kind.ends.breakTorque};
-            } else {
-                return {kUnbreakable, kUnbreakable};
-            }
-        },
-        def);
-}
-
-/// The two ends, if the bodies of a joint may collide.
-const JointEnds* collidingEnds(const JointDef& def) {
-    return std::visit(
-        [](const auto& kind) -> const JointEnds* {
-            if constexpr (requires { kind.ends; }) {
-                return kind.ends.collide ? &kind.ends : nullptr;
-            } else {
-                return nullptr;
-            }
-        },
-        def);
-}
 
 /// Least separation (m) of the contacts of two bodies; infinite if none is near.
 Real separationOf(const ContactSet& contactSet, std::uint32_t a, std::uint32_t b) {
@@ -65,7 +37,8 @@ void JointSet::boundBias(const ContactSet& contactSet, Real slop, Real pushSpeed
     for (const std::uint32_t index : awake_) {
         Joint& joint = joints_[index];
         joint.mostBias = Joint::kNoBound;
-        if (const JointEnds* const ends = collidingEnds(joint.def)) {
+        const JointEnds* const ends = endsOf(joint.def);
+        if (ends != nullptr && ends->collide) {
             const Real apart = separationOf(contactSet, ends->a.index, ends->b.index);
             if (apart < std::numeric_limits<Real>::infinity()) {
                 joint.mostBias = apart < slop ? touching : pushSpeed;
@@ -83,12 +56,11 @@ std::span<const BrokenJoint> JointSet::endStep(Real dt) {
         }
         joint.force = joint.linearImpulseSum / dt;
         joint.torque = joint.angularImpulseSum / dt;
-        const Overload most = limitsOf(joint.def);
-        const bool mayBreak = most.force < kUnbreakable || most.torque < kUnbreakable;
-        if (mayBreak &&
-            (length(joint.force) > most.force || std::abs(joint.torque) > most.torque)) {
-            broken_.push_back({idAt(index), firstBody(joint.def), secondBody(joint.def),
-                               length(joint.force), std::abs(joint.torque)});
+        const JointEnds* const ends = endsOf(joint.def);
+        const Real force = length(joint.force);
+        const Real torque = std::abs(joint.torque);
+        if (ends != nullptr && (force > ends->breakForce || torque > ends->breakTorque)) {
+            broken_.push_back({idAt(index), ends->a, ends->b, force, torque});
         }
     }
     for (const BrokenJoint& broken : broken_) {

@@ -67,14 +67,8 @@ bool mayBeHeld(const Bodies& bodies, const JointDef& def) {
 
 /// True if the joint forbids a contact between its bodies.
 bool excludesContact(const JointDef& def) {
-    return std::visit(
-        [](const auto& kind) {
-            if constexpr (requires { kind.ends; }) {
-                return !kind.ends.collide;
-            }
-            return false;
-        },
-        def);
+    const JointEnds* const ends = endsOf(def);
+    return ends != nullptr && !ends->collide;
 }
 
 /// Erases a number from a list in order, if it is there.
@@ -204,8 +198,7 @@ void JointSet::listBusy(const Bodies& bodies) {
     for (const std::uint32_t body : bodies.awake) {
         lists_.forEach(body, [&](std::uint32_t index) { awake_.push_back(index); });
     }
-    std::sort(awake_.begin(), awake_.end()); // total order: equal joints are identical
-    awake_.erase(std::unique(awake_.begin(), awake_.end()), awake_.end());
+    sortUnique(awake_);
 }
 
 void JointSet::beginStep() {

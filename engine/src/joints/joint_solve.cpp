@@ -228,14 +228,9 @@ void JointSet::solve(Bodies& bodies, const JointPass& pass) {
         HeldRows* const rows = trees_.rowsOf(index);
         if (rows != nullptr) {
             *rows = {.armA = {}, .armB = {}, .pull = rows->pull};
-        } else if (displaced && joint.point != Vec2{}) {
-            std::visit(
-                [&](const auto& kind) {
-                    if constexpr (requires { kind.ends; }) {
-                        rotateImpulse(joint, frameOf(bodies, turned_, kind.ends), pass.h);
-                    }
-                },
-                joint.def);
+        } else if (const JointEnds* const ends = endsOf(joint.def);
+                   displaced && ends != nullptr && joint.point != Vec2{}) {
+            rotateImpulse(joint, frameOf(bodies, turned_, *ends), pass.h);
         }
         forConstraints(
             joint, bodies, turned_,

@@ -68,8 +68,7 @@ void SleepSystem::noteIslandContact(const Bodies& bodies, const Contact& contact
 
 /// Wakes the islands in woken_, all at once: their contacts are sorted into the list together.
 void SleepSystem::wakeIslands(Bodies& bodies, ContactSet& contacts) {
-    std::sort(woken_.begin(), woken_.end()); // total order: equal indices are identical
-    woken_.erase(std::unique(woken_.begin(), woken_.end()), woken_.end());
+    sortUnique(woken_);
     returning_.clear();
     for (const std::uint32_t number : woken_) {
         Island& island = islands_[number];

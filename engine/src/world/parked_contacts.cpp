@@ -15,8 +15,7 @@ void ParkedContacts::add(const StoredContact& contact) {
 
 /// Takes the contacts in slots_, which may contain duplicates.
 void ParkedContacts::takeNoted(std::vector<StoredContact>& taken) {
-    std::sort(slots_.begin(), slots_.end()); // total order: equal indices are identical
-    slots_.erase(std::unique(slots_.begin(), slots_.end()), slots_.end());
+    sortUnique(slots_);
     for (const std::uint32_t slot : slots_) {
         StoredContact& contact = contacts_[slot];
         taken.push_back(contact);
@@ -49,7 +48,7 @@ void ParkedContacts::closeGaps() {
 /// After contacts_ was replaced, without gaps.
 void ParkedContacts::listAll() {
     gaps_ = 0;
-    lists_.begin(contacts_.size());
+    lists_.clear(contacts_.size());
     for (std::uint32_t slot = 0; slot < contacts_.size(); ++slot) {
         lists_.add(slot, contacts_[slot].key.bodyA, contacts_[slot].key.bodyB);
     }

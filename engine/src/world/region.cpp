@@ -92,8 +92,7 @@ std::vector<std::uint32_t> Region::mayCross(const Aabb& before, const Bodies& bo
     const auto search = [&](const Aabb& strip) { parts.trees().overlaps(strip, add); };
     forEachStrip(before, *box_, search);
     forEachStrip(*box_, before, search);
-    std::sort(found.begin(), found.end()); // total order: equal indices are identical
-    found.erase(std::unique(found.begin(), found.end()), found.end());
+    sortUnique(found);
     return found;
 }
 

@@ -18,45 +18,36 @@ constexpr Real kMaxDamping = Real(1e6);
 constexpr Real kMaxPush = Real(1e7);
 constexpr unsigned kAllFeatures = 127;
 
-/// Checks fields in order and keeps the first problem.
-class Checks {
-public:
-    void count(const char* field, int value, int low, int high) {
-        if (!problem_ && (value < low || value > high)) {
-            problem_ =
-                Problem{field, "must be from " + std::to_string(low) + " to " +
-                                   std::to_string(high) + ", but is " + std::to_string(value)};
-        }
+std::optional<Problem> checkCount(const char* field, int value, int low, int high) {
+    if (value < low || value > high) {
+        return Problem{field, "must be from " + std::to_string(low) + " to " +
+                                  std::to_string(high) + ", but is " + std::to_string(value)};
     }
-    void positive(const char* field, Real value, Real most) {
-        if (!problem_) {
-            problem_ = checkPositive(field, value, most);
-        }
-    }
-    /// Fields that both solvers have.
-    template <typename Settings>
-    void common(const Settings& settings) {
-        count("settings.substeps", settings.substeps, 1, 64);
-        count("settings.impactPasses", settings.impactPasses, 0, 1000);
-        positive("settings.jointHertz", settings.jointHertz, kMaxHertz);
-        positive("settings.jointDamping", settings.jointDamping, kMaxDamping);
-        positive("settings.pushSpeed", settings.pushSpeed, kMaxPush);
-    }
-    void operator()(const SoftSettings& settings) {
-        common(settings);
-        positive("settings.contactHertz", settings.contactHertz, kMaxHertz);
-        positive("settings.contactDamping", settings.contactDamping, kMaxDamping);
-    }
-    void operator()(const PropagationSettings& settings) {
-        common(settings);
-        count("settings.contactPasses", settings.contactPasses, 1, 1000);
-        count("settings.shockPasses", settings.shockPasses, 0, 1000);
-    }
-    std::optional<Problem> first() const { return problem_; }
+    return std::nullopt;
+}
 
-private:
-    std::optional<Problem> problem_;
-};
+/// Fields that both solvers have.
+template <typename Settings>
+std::optional<Problem> checkCommon(const Settings& settings) {
+    return firstOf({checkCount("settings.substeps", settings.substeps, 1, 64),
+                    checkCount("settings.impactPasses", settings.impactPasses, 0, 1000),
+                    checkPositive("settings.jointHertz", settings.jointHertz, kMaxHertz),
+                    checkPositive("settings.jointDamping", settings.jointDamping, kMaxDamping),
+                    checkPositive("settings.pushSpeed", settings.pushSpeed, kMaxPush)});
+}
+
+std::optional<Problem> checkSolver(const SoftSettings& settings) {
+    return firstOf(
+        {checkCommon(settings),
+         checkPositive("settings.contactHertz", settings.contactHertz, kMaxHertz),
+         checkPositive("settings.contactDamping", settings.contactDamping, kMaxDamping)});
+}
+
+std::optional<Problem> checkSolver(const PropagationSettings& settings) {
+    return firstOf({checkCommon(settings),
+                    checkCount("settings.contactPasses", settings.contactPasses, 1, 1000),
+                    checkCount("settings.shockPasses", settings.shockPasses, 0, 1000)});
+}
 
 } // namespace
 
@@ -80,13 +71,12 @@ const PropagationSettings& StepSettings::propagation() const {
 }
 
 std::optional<Problem> check(const StepSettings& settings) {
-    Checks checks;
-    std::visit([&](const auto& solver) { checks(solver); }, settings.solver);
-    checks.count("settings.sleepSteps", settings.sleepSteps, 1, 1000000);
-    if (!checks.first() && (settings.leaveOut.bits & ~kAllFeatures) != 0) {
-        return Problem{"settings.leaveOut", "must be a set of Feature"};
-    }
-    return checks.first();
+    const bool areFeatures = (settings.leaveOut.bits & ~kAllFeatures) == 0;
+    return firstOf(
+        {std::visit([](const auto& solver) { return checkSolver(solver); }, settings.solver),
+         checkCount("settings.sleepSteps", settings.sleepSteps, 1, 1000000),
+         areFeatures ? std::nullopt
+                     : std::optional(Problem{"settings.leaveOut", "must be a set of Feature"})});
 }
 
 void visitState(StateStream& stream, StepSettings& settings) {

@@ -211,8 +211,7 @@ std::vector<BodyId> touching(const World& world, BodyId id) {
     store.lists().forEach(id.index, [&](std::uint32_t slot) { keep(store.contacts()[slot]); });
     impl.sleep_.forEachContactNear(impl.bodyData(), id.index, keep);
     impl.region_.parked().forEach(keep);
-    std::sort(found.begin(), found.end()); // total order: equal ids are identical
-    found.erase(std::unique(found.begin(), found.end()), found.end());
+    sortUnique(found);
     return found;
 }
 
