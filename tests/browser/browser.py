@@ -105,6 +105,10 @@ class Browser:
         self.command("Emulation.setDeviceMetricsOverride", {
             "width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 600})
 
+    def touch(self, on):
+        """Whether the screen is one for fingers: then (pointer: coarse) holds."""
+        self.command("Emulation.setTouchEmulationEnabled", {"enabled": on})
+
     def faults(self):
         log = self.call("POST", "/se/log", {"type": "browser"})
         return [entry["message"] for entry in log if entry["level"] == "SEVERE"]

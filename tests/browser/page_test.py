@@ -14,6 +14,7 @@ import time
 
 from browser import Trial, judged, trial_of
 
+SIZES = ((360, 640), (1280, 720), (1920, 1080))
 TITLE, LEVELS, PLAYING, PAUSED, OVER = 0, 1, 7, 8, 9  # of Screen in stage.hpp
 
 
@@ -140,6 +141,55 @@ class Game(Trial):
         self.browser.open(self.address + "#level=mine")
         self.expect(self.arrives(PLAYING), "a dropped level is kept")
 
+    def map(self):
+        """The map by keys, on all sizes of screens: chosen by arrows, played by enter, left by escape."""
+        for width, height in SIZES:
+            self.browser.resize(width, height)
+            self.browser.open(self.address)
+            self.arrives(TITLE)
+            self.browser.press("down")
+            self.browser.press("enter")
+            self.expect(self.arrives(LEVELS), f"keys open the map at {width} x {height}")
+            self.browser.press("right")
+            time.sleep(0.5)
+            self.shot(f"map-{width}")
+            self.browser.press("enter")
+            self.expect(self.arrives(PLAYING), "enter plays the chosen level")
+        self.browser.press("p")
+        self.arrives(PAUSED)
+
+    def phone(self):
+        """A phone held upright, by touch alone: the picture is turned, so that fingers and eyes can hit."""
+        self.browser.resize(360, 640)
+        self.browser.touch(True)
+        self.browser.open(self.address)
+        self.arrives(TITLE)
+        time.sleep(0.5)
+        self.shot("phone-title")
+        self.browser.tap(*self.turned(360, 320, 182))
+        self.expect(self.arrives(LEVELS), "a tap on a word of the title opens the map")
+        time.sleep(0.5)
+        self.shot("phone-map")
+        self.browser.tap(*self.turned(360, 77, 345))
+        self.expect(self.arrives(TITLE), "a tap on its word leaves the map")
+        self.browser.tap(*self.turned(360, 320, 182))
+        self.arrives(LEVELS)
+        self.browser.tap(*self.turned(360, 137, 315))  # 18 pixels beside the second level
+        self.expect(self.arrives(PLAYING), "a tap beside an open level plays it")
+        self.shot("phone-level")
+        for _ in range(8):
+            self.browser.tap(180, 320)
+            self.browser.drag((180, 300), (180, 420))
+            if self.wait("Module._gameState(2) > 0", 2):
+                break
+        self.expect(self.state(2) > 0, "a tap serves, and a finger moves along the turned picture")
+        self.browser.touch(False)
+
+    @staticmethod
+    def turned(height, x, y):
+        """Where a point of the wide picture (pixels) is on a screen that shows it turned."""
+        return height - y, x
+
     def touch(self):
         self.browser.resize(390, 760)
         self.browser.open(self.address + "#level=first_light")
@@ -160,6 +210,8 @@ def main(page, pictures, program):
             part()
         game.daily(program)
         game.drop()
+        game.map()
+        game.phone()
         game.touch()
     return judged([game])
 

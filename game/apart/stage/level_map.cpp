@@ -24,6 +24,7 @@ constexpr std::size_t kMostBands = 7; // of the usual height
 constexpr std::size_t kInSight = 12;  // levels of a band
 constexpr Real kMargin = Real(1.3);   // m, from the first level of a band to the edge
 constexpr Vec2 kNowhere{1000, 1000};
+constexpr Real kFingerReach = 1; // m; a finger that misses a circle by less hits the nearest one
 
 // Shares of the height of a band.
 constexpr Real kWayUp = Real(0.58);
@@ -138,15 +139,15 @@ Aabb LevelMap::tile(std::size_t level) const {
 }
 
 Aabb LevelMap::backPlace() const {
-    return {{Real(-14.6), Real(0.2)}, {Real(-10.6), Real(1.2)}};
+    return {{Real(-14.6), 0}, {Real(-10.6), Real(1.4)}};
 }
 
 Aabb LevelMap::editPlace() const {
-    return {{Real(-9.2), Real(0.2)}, {Real(-7.2), Real(1.2)}};
+    return {{Real(-9.2), 0}, {Real(-7.2), Real(1.4)}};
 }
 
 Aabb LevelMap::newPlace() const {
-    return {{Real(-7.1), Real(0.2)}, {Real(-5.1), Real(1.2)}};
+    return {{Real(-7.1), 0}, {Real(-5.1), Real(1.4)}};
 }
 
 bool LevelMap::wants(const Signals& signals, const Aabb& place, const char* key) {
@@ -193,12 +194,14 @@ void LevelMap::move(Command command) {
 
 std::optional<std::size_t> LevelMap::take(const Signals& signals) {
     const auto under = [&](Vec2 place) -> std::optional<std::size_t> {
-        for (std::size_t i = 0; i < levels_.size(); ++i) {
-            if (tile(i).contains(place)) {
-                return i;
-            }
+        const auto distance = [&](std::size_t level) {
+            return length(placeOf(level).value_or(kNowhere) - place);
+        };
+        std::size_t nearest = 0;
+        for (std::size_t i = 1; i < levels_.size(); ++i) {
+            nearest = distance(i) < distance(nearest) ? i : nearest;
         }
-        return std::nullopt;
+        return distance(nearest) < kFingerReach ? std::optional(nearest) : std::nullopt;
     };
     const auto ifOpen = [&](std::optional<std::size_t> level) {
         return level && stops_[*level].open() ? level : std::nullopt;
@@ -344,10 +347,10 @@ void LevelMap::drawFoot(Canvas& canvas, const Records& records) const {
         checks = checks || standing.proof == Proof::Waiting;
     }
     const Aabb back = backPlace();
-    canvas.text("\u2039 back (escape)", {back.lower.x, back.lower.y + Real(0.35)},
+    canvas.text("\u2039 back (escape)", {back.lower.x, back.lower.y + Real(0.55)},
                 {Real(0.46), palette::kText, Typeface::Plain, Align::Left, Real(5.2)});
     const auto offer = [&](const Aabb& place, const char* text) {
-        canvas.text(text, {place.lower.x, place.lower.y + Real(0.35)},
+        canvas.text(text, {place.lower.x, place.lower.y + Real(0.55)},
                     {Real(0.46), palette::kText, Typeface::Plain, Align::Left,
                      place.extent().x - Real(0.1)});
     };
@@ -357,7 +360,7 @@ void LevelMap::drawFoot(Canvas& canvas, const Records& records) const {
         fmt::format("{} of {} cleared, {} {}", cleared, levels_.size(),
                     countText(std::min<std::int64_t>(points, 999999999), "point"),
                     checks ? "so far, more are checked" : "in all"),
-        {kAboutLeft, back.lower.y + Real(0.35)},
+        {kAboutLeft, back.lower.y + Real(0.55)},
         {Real(0.46), palette::kQuiet, Typeface::Plain, Align::Left, kAboutRight - kAboutLeft});
 }
 

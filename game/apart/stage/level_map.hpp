@@ -33,7 +33,8 @@ public:
 
     /// `seconds`: of animations.
     void draw(Canvas& canvas, const Records& records, double seconds) const;
-    /// Clickable area of a level. Far outside the picture if its part of the band is not in sight.
+    /// Area of the circle of a level; a click near it counts too. Far outside the picture if its
+    /// part of the band is not in sight.
     Aabb tile(std::size_t level) const;
     /// Clickable area that returns to the title.
     Aabb backPlace() const;

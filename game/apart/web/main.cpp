@@ -23,6 +23,8 @@ constexpr const char* kElement = "#canvas";
 EM_JS(void, complain, (const char* sentence), { Module.complain(UTF8ToString(sentence)); });
 // Copies the files of the player to the browser's storage, if it has any.
 EM_JS(void, keepFiles, (), { Module.keepFiles(); });
+// True if the page shows the picture turned clockwise by a quarter.
+EM_JS(int, isTurned, (), { return Module.turned() ? 1 : 0; });
 // Copies a text to the clipboard; the page's address goes before its link.
 EM_JS(void, copyText, (const char* text), { Module.copyText(UTF8ToString(text)); });
 
@@ -45,7 +47,12 @@ kodo_draw::Size fitCanvas(Page& page) {
     const double density = emscripten_get_device_pixel_ratio();
     double width = 0;
     double height = 0;
-    emscripten_get_element_css_size(kElement, &width, &height);
+    emscripten_get_element_css_size(kElement, &width, &height); // as it is on the page
+    const bool turned = isTurned() != 0;
+    page.controls.setTurned(turned ? width : 0);
+    if (turned) {
+        std::swap(width, height);
+    }
     const kodo_draw::Size wanted{static_cast<unsigned>(width * density),
                                  static_cast<unsigned>(height * density)};
     int nowX = 0;

@@ -84,6 +84,11 @@ async function takeLevel(file) {
     location.reload();
 }
 
+/// True if the page turns the picture clockwise by a quarter: see index.html.
+function turned() {
+    return matchMedia("(orientation: portrait) and (pointer: coarse) and (max-width: 600px)").matches;
+}
+
 let flashes = 0;
 function flash(sentence) {
     tell(sentence);
@@ -153,6 +158,7 @@ function setSound(on) {
 }
 
 var Module = {
+    turned,
     drawLetter,
     openSound,
     setSound,

@@ -179,6 +179,11 @@ bool WebControls::onKey(int type, const EmscriptenKeyboardEvent& event) {
     return std::strncmp(event.code, "F", 1) != 0 || std::strlen(event.code) > 3; // not F5, F11, F12
 }
 
+Pixel WebControls::onPicture(long x, long y) const {
+    const Pixel page{static_cast<float>(x), static_cast<float>(y)};
+    return turned_ > 0 ? Pixel{page.y, turned_ - page.x} : page;
+}
+
 Vec2 WebControls::fieldPoint(Pixel page) const {
     return canvas_.camera().toWorld(density_ * page);
 }
@@ -191,7 +196,7 @@ void WebControls::movePointer(Pixel page) {
 }
 
 bool WebControls::onMouse(int type, const EmscriptenMouseEvent& event) {
-    const Pixel page{static_cast<float>(event.clientX), static_cast<float>(event.clientY)};
+    const Pixel page = onPicture(event.clientX, event.clientY);
     movePointer(page);
     if (type == EMSCRIPTEN_EVENT_MOUSEMOVE) {
         if (captured_) {
@@ -247,7 +252,7 @@ bool WebControls::onTouch(int type, const EmscriptenTouchEvent& event) {
     fingers_ = 0;
     for (int i = 0; i < event.numTouches; ++i) {
         const EmscriptenTouchPoint& point = event.touches[i];
-        const Pixel page{static_cast<float>(point.clientX), static_cast<float>(point.clientY)};
+        const Pixel page = onPicture(point.clientX, point.clientY);
         const bool ends =
             (type == EMSCRIPTEN_EVENT_TOUCHEND || type == EMSCRIPTEN_EVENT_TOUCHCANCEL) &&
             point.isChanged;

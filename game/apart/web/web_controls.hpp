@@ -25,6 +25,9 @@ public:
     void capture(bool on) override;
     /// Pixels of the picture for each pixel of the page.
     void setDensity(double density) { density_ = static_cast<float>(density); }
+    /// The width (pixels) of a page that shows the picture turned clockwise by a quarter; 0: as it
+    /// is.
+    void setTurned(double width) { turned_ = static_cast<float>(width); }
     /// A command of a button of the page.
     void give(Command command) { signals_.commands.push_back(command); }
     /// The page was left: nothing is held any more, and the game pauses.
@@ -36,7 +39,7 @@ public:
 private:
     struct Finger {
         long id = 0;
-        kodo_draw::Pixel start; // pixels of the page
+        kodo_draw::Pixel start; // as onPicture()
         kodo_draw::Pixel last;
         double since = 0; // ms
         bool moved = false;
@@ -48,6 +51,8 @@ private:
     bool onWheel(const EmscriptenWheelEvent& event);
     bool onTouch(int type, const EmscriptenTouchEvent& event);
     void pollPad();
+    /// Pixels of the page, from the upper left corner of the picture.
+    kodo_draw::Pixel onPicture(long x, long y) const;
     Vec2 fieldPoint(kodo_draw::Pixel page) const;
     void movePointer(kodo_draw::Pixel page);
     void pressLong();
@@ -64,6 +69,7 @@ private:
     bool pressed_ = false;
     Vec2 pointer_;      // m
     float density_ = 1; // pixels of the picture for one of the page
+    float turned_ = 0;  // pixels
     std::uint32_t padButtons_ = 0;
 };
 
