@@ -21,9 +21,6 @@ DASHES = ("", "7 4", "2 3", "9 3 2 3")
 KNOWN = (
     ("plate", "contact points, turned by 5°", "collide()",
      "Kodo keeps two points where a whole side of the box has passed the plate."),
-    ("tipping", "time until it is half a radian off", "balanced()",
-     "The soft solver keeps the arms of a contact until its bodies have moved by 8 slops, here 3 cm"
-     " or 0.03 rad. Until then the torque stays that of the start, and the spin grows evenly."),
 )
 STYLE_SHEET = """
 :root { color-scheme: light dark; }

@@ -36,6 +36,26 @@ void checkRecord(const CollisionRecord& record) {
 
 } // namespace
 
+bool isSound(const Contact& contact, const ContactNumbers& numbers) {
+    constexpr Real kMost = Real(1e15); // m or m/s
+    const auto small = [](Real number, Real most) { return std::abs(number) <= most; };
+    const auto near = [&](Vec2 v, Real most) { return small(v.x, most) && small(v.y, most); };
+    const Manifold& manifold = contact.manifold;
+    bool good = near(contact.centerA, kMost) && near(manifold.normal, 2) &&
+                small(numbers.approachSpeed, kMost) && numbers.relativeDisplacement >= 0;
+    for (const ManifoldPoint& p : manifold.points) {
+        good = good && near(p.armA, kMost) && near(p.armB, kMost) && small(p.separation, kMost);
+    }
+    for (const Real separation : numbers.separation) {
+        good = good && small(separation, kMost);
+    }
+    for (const Real impulse : {numbers.impulse[0].normal, numbers.impulse[1].normal,
+                               numbers.friction, numbers.rolling, numbers.total}) {
+        good = good && small(impulse, kMaxMass * kMost);
+    }
+    return good;
+}
+
 /// The row in the solver does not affect results.
 void ContactRow::visitState(StateStream& stream) {
     auto& [row, ownColour, ownFixedA, ownFixedB] = *this;

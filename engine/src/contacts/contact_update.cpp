@@ -110,6 +110,26 @@ constexpr Real kKeptIfThin = 1;
 // it up to 128 m from the origin.
 constexpr Real kTouches = Real(1) / 256;
 
+/// True for a contact of one point that is not at an arc.
+bool onOneCorner(const Contact& contact, const Bodies& bodies) {
+    const auto& [bodyA, partA, bodyB, partB] = contact.key;
+    return contact.manifold.count == 1 && !bodies.convex(bodyA, partA).isRound() &&
+           !bodies.convex(bodyB, partB).isRound();
+}
+
+/// Relative displacement (m) up to which a manifold of one corner is kept: a quarter of the shorter
+/// lever. That of a body near its balance changes by more than itself within a slop.
+Real keptOnCorner(const Contact& contact, const Bodies& bodies, Real slop) {
+    const ManifoldPoint& p = contact.manifold.points[0];
+    const auto leverIfFree = [&](std::uint32_t body, Vec2 arm) {
+        return bodies.motion[body].invInertia > 0 ? std::abs(leverOf(arm, contact.manifold.normal))
+                                                  : std::numeric_limits<Real>::max();
+    };
+    const Real lever =
+        std::min(leverIfFree(contact.key.bodyA, p.armA), leverIfFree(contact.key.bodyB, p.armB));
+    return std::min(lever / 4, kKept * slop);
+}
+
 /// Adds the relative displacement of the last step.
 void addDisplacement(const Bodies& bodies, const Contact& contact, const ContactLane& lane) {
     const std::uint32_t a = contact.key.bodyA;
@@ -265,8 +285,11 @@ void findContact(Contact& contact, const ContactLane& lane, const Bodies& bodies
                     std::min(kSamePlace * tolerances.slop, kSameShare * thinner));
     const bool ofLine = bodies.convex(key.bodyA, key.partA).isLine() ||
                         bodies.convex(key.bodyB, key.partB).isLine();
-    lane.relativeDisplacement() =
-        thicker < tolerances.slop || ofLine ? (kKept - kKeptIfThin) * tolerances.slop : 0;
+    const Real kept = thicker < tolerances.slop || ofLine ? kKeptIfThin * tolerances.slop
+                      : onOneCorner(contact, bodies)
+                          ? keptOnCorner(contact, bodies, tolerances.slop)
+                          : kKept * tolerances.slop;
+    lane.relativeDisplacement() = kKept * tolerances.slop - kept;
     if (passes) {
         lane.expire();
     }
@@ -275,10 +298,7 @@ void findContact(Contact& contact, const ContactLane& lane, const Bodies& bodies
 }
 
 bool mayGainPoint(const Bodies& bodies, const Contact& contact) {
-    const auto& [bodyA, partA, bodyB, partB] = contact.key;
-    return contact.manifold.count == 0 ||
-           (contact.manifold.count == 1 && !bodies.convex(bodyA, partA).isRound() &&
-            !bodies.convex(bodyB, partB).isRound());
+    return contact.manifold.count == 0 || onOneCorner(contact, bodies);
 }
 
 void measureApproach(const Contact& contact, const ContactLane& lane, const Bodies& bodies) {
@@ -350,26 +370,6 @@ bool followContact(Contact& contact, const ContactLane& lane, const Bodies& bodi
         !arrives(leastOf({lane.separation(0), lane.separation(1)}, contact.manifold.count),
                  lane.approachSpeed(), tolerances.slop, dt);
     return contact.filled || (known && staysApart(contact, lane, tolerances));
-}
-
-bool isSound(const Contact& contact, const ContactNumbers& numbers) {
-    constexpr Real kMost = Real(1e15); // m or m/s
-    const auto small = [](Real number, Real most) { return std::abs(number) <= most; };
-    const auto near = [&](Vec2 v, Real most) { return small(v.x, most) && small(v.y, most); };
-    const Manifold& manifold = contact.manifold;
-    bool good = near(contact.centerA, kMost) && near(manifold.normal, 2) &&
-                small(numbers.approachSpeed, kMost) && numbers.relativeDisplacement >= 0;
-    for (const ManifoldPoint& p : manifold.points) {
-        good = good && near(p.armA, kMost) && near(p.armB, kMost) && small(p.separation, kMost);
-    }
-    for (const Real separation : numbers.separation) {
-        good = good && small(separation, kMost);
-    }
-    for (const Real impulse : {numbers.impulse[0].normal, numbers.impulse[1].normal,
-                               numbers.friction, numbers.rolling, numbers.total}) {
-        good = good && small(impulse, kMaxMass * kMost);
-    }
-    return good;
 }
 
 void clearContact(Contact& contact, const ContactLane& lane) {
