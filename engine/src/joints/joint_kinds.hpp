@@ -13,7 +13,9 @@ inline namespace KODO_PRECISION {
 
 /// A spring of a joint that also holds its bodies. That is solved after the springs, so the damper
 /// of a lag would act on bodies as if they were free: rows of such springs gained energy. These
-/// springs become softer instead, see Softness::spring().
+/// springs become softer instead, see Softness::spring(), or lag less where passes repeat them:
+/// with a lag of 32, three boxes of 1 : 1000 gain four times their energy at 240 Hz; with 8, half
+/// of it.
 template <typename Kind>
 inline constexpr bool kHeldSpring =
     std::is_same_v<Kind, RevoluteJoint> || std::is_same_v<Kind, PrismaticJoint>;
@@ -118,13 +120,10 @@ public:
     }
 
     void operator()(const MouseJoint& mouse) {
-        visit_(PointConstraint{frame_.armA,
-                               frame_.armB,
-                               frame_.gap,
-                               Softness::from(mouse.hertz, mouse.damping, pass_.h),
-                               {},
-                               mouse.force * pass_.h},
-               joint_.point, Relax::Same);
+        const Softness soft = Softness::from(mouse.hertz, mouse.damping, pass_.h);
+        const Real most = mouse.force * pass_.h;
+        visit_(PointConstraint{frame_.armA, frame_.armB, frame_.gap, soft, {}, most}, joint_.point,
+               Relax::Same);
     }
 
     void operator()(const WheelJoint& joint) {
@@ -179,9 +178,9 @@ private:
     template <typename Kind>
     Softness springOf(const Kind& joint, Real give, Real mass) const {
         const Real factor = mass > 0 ? std::sqrt(give / mass) : Real(1);
+        const Real held = pass_.errors == ErrorRemoval::ByDisplacement ? 8 : 0;
         return Softness::spring(factor * joint.hertz, factor * joint.damping, pass_.h,
-                                joint_.springBound,
-                                kHeldSpring<Kind> ? Real(0) : Softness::kMostLag);
+                                joint_.springBound, kHeldSpring<Kind> ? held : Softness::kMostLag);
     }
 
     void spring(AxisConstraint axis, std::size_t slot, Real error, const Softness& softness) {
