@@ -10,9 +10,9 @@ namespace apart {
 namespace {
 
 // Gains that give -16 LUFS in a game with the settings at their start.
-constexpr float kEffects = 0.58f;
+constexpr float kEffects = 0.56f;
 constexpr float kMusic = 0.585f;
-constexpr float kRumble = 2.05f;
+constexpr float kRumble = 1.68f;
 constexpr float kSend = 0.5f;                          // share of the music that goes into the room
 constexpr float kGlide = 1 / (0.25f * kSampleHertz);   // per sample, of rumble and volume of music
 constexpr float kRelease = 1 / (0.12f * kSampleHertz); // per sample, of the limiter

@@ -30,7 +30,7 @@ constexpr std::array<Manner, kThemeNames.size()> kManners = {{
     {true, 0.4f, 0.22f, 0.23f, 1},      // Fairground: a crowd far off
     {false, 1.1f, 0.09f, 0.13f, 1},     // Harbour: waves
     {false, 0.4f, 0.30f, 0.31f, 1.7f},  // Clockwork: a workshop
-    {true, 0.6f, 0.05f, 0.05f, 2.1f},   // Observatory: a dome at night
+    {true, 0.6f, 0.05f, 0.05f, 1.9f},   // Observatory: a dome at night
     {false, 0.8f, 0.05f, 0.09f, 1.15f}, // Fortress: wind on walls
 }};
 
