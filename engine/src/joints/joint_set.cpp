@@ -274,13 +274,13 @@ void JointSet::listHinges(const Bodies& bodies) {
             revolute->limits || revolute->hertz > 0) {
             continue;
         }
+        const Vec2 armA = revolute->ends.anchorA - bodies.geometry(edge.a).mass.center;
+        const Vec2 armB = revolute->ends.anchorB - bodies.geometry(edge.b).mass.center;
         rows->hinge = true;
-        rows->reachA = length(revolute->ends.anchorA - bodies.geometry(edge.a).mass.center);
-        rows->reachB = length(revolute->ends.anchorB - bodies.geometry(edge.b).mass.center);
+        rows->reachA = length(armA);
+        rows->reachB = length(armB);
         joints_[edge.joint].solved = true;
-        hinges_.push_back({edge.joint, edge.a, edge.b,
-                           revolute->ends.anchorA - bodies.geometry(edge.a).mass.center,
-                           revolute->ends.anchorB - bodies.geometry(edge.b).mass.center, rows});
+        hinges_.push_back({edge.joint, edge.a, edge.b, armA, armB, rows});
     }
     trees_.findTouched(bodies);
     std::erase_if(own_, [&](std::uint32_t index) {

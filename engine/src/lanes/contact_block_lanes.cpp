@@ -3,7 +3,6 @@
 
 #include <limits>
 
-#include "lanes/contact_lane.hpp"
 #include "lanes/leverage.hpp"
 
 namespace kodo {
@@ -82,6 +81,28 @@ void fillLane(SurfaceBlock& surface, ContactBlock& block, std::size_t lane, cons
     surface.rollingMass[lane] = rolls ? 1 / (a.invInertia + b.invInertia) : Real(0);
     surface.speed[lane] = contact.material.surfaceSpeed;
     block.rolling[lane] = rolls ? block.rolling[lane] : Real(0);
+}
+
+void applyImpulses(Bodies& bodies, const ContactLanes::Place& at, Real share) {
+    const ContactBlock& block = at.block;
+    const std::size_t lane = at.lane;
+    const Vec2 n{block.normalX[lane], block.normalY[lane]};
+    const Real first = share * block.points[0].impulse[lane];
+    const Real second = share * block.points[1].impulse[lane];
+    const Real friction = share * block.friction[lane];
+    const Real roll = share * block.rolling[lane];
+    const Vec2 impulse = (first + second) * n + friction * perp(n);
+    const auto momentBy = [&](Real lever1, Real lever2, Real tangent) {
+        return lever1 * first + lever2 * second + tangent * friction + roll;
+    };
+    BodyVelocity& a = bodies.motion[bodyOfPlace(block.a[lane])];
+    BodyVelocity& b = bodies.motion[bodyOfPlace(block.b[lane])];
+    applyImpulse(a, a.invMass, -impulse, a.invInertia,
+                 -momentBy(block.points[0].leverA[lane], block.points[1].leverA[lane],
+                           block.tangentLeverA[lane]));
+    applyImpulse(b, b.invMass, impulse, b.invInertia,
+                 momentBy(block.points[0].leverB[lane], block.points[1].leverB[lane],
+                          block.tangentLeverB[lane]));
 }
 
 void clearLane(ContactBlock& block, std::size_t lane) {

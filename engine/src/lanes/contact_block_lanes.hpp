@@ -5,6 +5,7 @@
 
 #include "lanes/contact.hpp"
 #include "lanes/contact_block.hpp"
+#include "lanes/contact_lane.hpp"
 
 namespace kodo {
 inline namespace KODO_PRECISION {
@@ -25,6 +26,8 @@ void fillLane(ContactBlock& block, std::size_t lane, const Bodies& bodies, const
 void fillLane(SurfaceBlock& surface, ContactBlock& block, std::size_t lane, const Bodies& bodies,
               const Contact& contact, const LaneRules& rules);
 
+/// Applies a share of the impulses of a contact in the passes to its bodies.
+void applyImpulses(Bodies& bodies, const ContactLanes::Place& at, Real share);
 /// Resets a lane so that it applies no impulse.
 void clearLane(ContactBlock& block, std::size_t lane);
 

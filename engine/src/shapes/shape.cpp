@@ -184,7 +184,7 @@ std::optional<Problem> check(const Heightmap& map) {
     return std::nullopt;
 }
 
-std::vector<Primitive> primitivesOf(const Heightmap& map) {
+std::vector<Primitive> piecesOf(const Heightmap& map) {
     std::vector<Primitive> cells;
     cells.reserve(map.heights.size() - 1);
     for (std::size_t i = 0; i + 1 < map.heights.size(); ++i) {
@@ -238,7 +238,7 @@ std::optional<Problem> check(const Chain& chain) {
     return std::nullopt;
 }
 
-std::vector<Primitive> primitivesOf(const Chain& chain) {
+std::vector<Primitive> piecesOf(const Chain& chain) {
     const std::size_t n = chain.points.size();
     // The outside is on the left of the points of a clockwise outline.
     const bool turned = chain.closed && chain.oneSided && areaWithin(chain.points) > 0;
@@ -250,6 +250,15 @@ std::vector<Primitive> primitivesOf(const Chain& chain) {
         segments.emplace_back(turned ? Segment{to, from, true} : Segment{from, to, chain.oneSided});
     }
     return segments;
+}
+
+std::vector<Primitive> piecesOf(const Compound& compound) {
+    return compound.parts;
+}
+
+template <typename Kind>
+std::vector<Primitive> piecesOf(const Kind& kind) {
+    return {kind};
 }
 
 std::optional<Problem> check(const Compound& compound) {
@@ -317,24 +326,7 @@ std::optional<Problem> check(const Shape& shape) {
 }
 
 std::vector<Primitive> primitivesOf(const Shape& shape) {
-    if (const auto* compound = std::get_if<Compound>(&shape)) {
-        return compound->parts;
-    }
-    if (const auto* map = std::get_if<Heightmap>(&shape)) {
-        return primitivesOf(*map);
-    }
-    if (const auto* chain = std::get_if<Chain>(&shape)) {
-        return primitivesOf(*chain);
-    }
-    return std::visit(
-        [](const auto& kind) -> std::vector<Primitive> {
-            if constexpr (std::is_constructible_v<Primitive, decltype(kind)>) {
-                return {kind};
-            } else {
-                return {};
-            }
-        },
-        shape);
+    return std::visit([](const auto& kind) { return piecesOf(kind); }, shape);
 }
 
 Shape shapeOf(const Primitive& primitive) {

@@ -6,6 +6,8 @@
 #include <iterator>
 #include <limits>
 
+#include "lanes/contact_block_lanes.hpp"
+
 namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
@@ -44,29 +46,6 @@ Twist kickOf(const Bodies& bodies, const LoadRelease::Velocity& before, std::uin
 Real squareOf(const BodyVelocity& motion, const Twist& twist) {
     const Real gyration = motion.invInertia > 0 ? motion.invMass / motion.invInertia : Real(0);
     return lengthSquared(twist.velocity) + gyration * twist.angular * twist.angular;
-}
-
-/// Applies a share of the impulses of a contact again, to both bodies.
-void applyShare(Bodies& bodies, const ContactLanes::Place& at, Real share) {
-    const ContactBlock& block = at.block;
-    const std::size_t lane = at.lane;
-    const Vec2 n{block.normalX[lane], block.normalY[lane]};
-    const Real first = share * block.points[0].impulse[lane];
-    const Real second = share * block.points[1].impulse[lane];
-    const Real friction = share * block.friction[lane];
-    const Real roll = share * block.rolling[lane];
-    const Vec2 impulse = (first + second) * n + friction * perp(n);
-    const auto momentBy = [&](Real lever1, Real lever2, Real tangent) {
-        return lever1 * first + lever2 * second + tangent * friction + roll;
-    };
-    BodyVelocity& a = bodies.motion[bodyOfPlace(block.a[lane])];
-    BodyVelocity& b = bodies.motion[bodyOfPlace(block.b[lane])];
-    applyImpulse(a, a.invMass, -impulse, a.invInertia,
-                 -momentBy(block.points[0].leverA[lane], block.points[1].leverA[lane],
-                           block.tangentLeverA[lane]));
-    applyImpulse(b, b.invMass, impulse, b.invInertia,
-                 momentBy(block.points[0].leverB[lane], block.points[1].leverB[lane],
-                          block.tangentLeverB[lane]));
 }
 
 void scaleImpulses(const ContactLanes::Place& at, Real factor) {
@@ -118,7 +97,7 @@ void LoadRelease::findGains(const Inputs& inputs, std::uint32_t body) {
         BodyVelocity& other =
             inputs.bodies.motion[summary.bodyA == body ? summary.bodyB : summary.bodyA];
         const BodyVelocity otherKept = other;
-        applyShare(inputs.bodies, inputs.blocks.placeOf(summary.row.index), 1);
+        applyImpulses(inputs.bodies, inputs.blocks.placeOf(summary.row.index), 1);
         gains_.push_back(
             {slot, motion.velocity - kept.velocity, motion.angularVelocity - kept.angularVelocity});
         motion = kept;
@@ -152,7 +131,7 @@ void LoadRelease::release(const Inputs& inputs, std::uint32_t body, Real h) {
     for (const Gain& gain : gains_) {
         const ContactSummary& summary = inputs.contactSet.summaries()[gain.slot];
         const ContactLanes::Place lane = blocks.placeOf(summary.row.index);
-        applyShare(bodies, lane, -share);
+        applyImpulses(bodies, lane, -share);
         scaleImpulses(lane, 1 - share);
         const std::uint32_t other = summary.bodyA == body ? summary.bodyB : summary.bodyA;
         if (isKicked(inputs, other, h)) {
@@ -203,18 +182,11 @@ void LoadRelease::releaseSeparating(const Inputs& inputs, std::uint32_t body, Re
         if (give * sum > kSmallKick * inputs.tolerances.slop &&
             separatingSpeed(inputs.bodies, lane) >
                 std::max(kThrown * inputs.tolerances.slop, kThrownAgainst * fall)) {
-            applyShare(inputs.bodies, lane, -1);
+            applyImpulses(inputs.bodies, lane, -1);
             scaleImpulses(lane, 0);
             changed_.push_back(summary.bodyA == body ? summary.bodyB : summary.bodyA);
         }
     }
-}
-
-void LoadRelease::markJointed(const Inputs& inputs, std::uint8_t mark) {
-    inputs.joints.forEachBusy([&](const JointSet::Joint& joint) {
-        jointed_[firstBody(joint.def).index] = mark;
-        jointed_[secondBody(joint.def).index] = mark;
-    });
 }
 
 void LoadRelease::run(const Inputs& inputs, std::span<const std::uint32_t> list,
@@ -232,7 +204,6 @@ void LoadRelease::run(const Inputs& inputs, std::span<const std::uint32_t> list,
     }
     before_ = before;
     queue_.clear();
-    markJointed(inputs, 1);
     for (std::size_t i = 0, count = changed_.size(); i < count; ++i) {
         releaseSeparating(inputs, changed_[i], h);
     }
@@ -244,14 +215,13 @@ void LoadRelease::run(const Inputs& inputs, std::span<const std::uint32_t> list,
     for (std::size_t next = 0; next < queue_.size(); ++next) {
         const std::uint32_t body = queue_[next];
         queued_[body] = 0;
-        if (jointed_[body] == 0) {
+        if (!inputs.joints.lists().hasAny(body)) {
             release(inputs, body, h);
         }
     }
     for (const std::uint32_t body : queue_) {
         visits_[body] = 0;
     }
-    markJointed(inputs, 0);
 }
 
 } // namespace KODO_PRECISION

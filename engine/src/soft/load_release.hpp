@@ -49,7 +49,6 @@ public:
     void makeRoom(const Bodies& bodies) {
         resizeByBody(visits_, bodies);
         resizeByBody(queued_, bodies);
-        resizeByBody(jointed_, bodies);
     }
     /// After the warm start of contacts in a substep of h (s). `list`: bodies; `before`: their
     /// velocities with the forces of the substep, without contacts and joints.
@@ -67,7 +66,6 @@ private:
     bool isKicked(const Inputs& inputs, std::uint32_t body, Real h) const;
     Real separatingSpeed(const Bodies& bodies, const ContactLanes::Place& at) const;
     void releaseSeparating(const Inputs& inputs, std::uint32_t body, Real h);
-    void markJointed(const Inputs& inputs, std::uint8_t mark);
     void addKicked(std::uint32_t body);
     void release(const Inputs& inputs, std::uint32_t body, Real h);
     void findGains(const Inputs& inputs, std::uint32_t body);
@@ -79,7 +77,6 @@ private:
     std::vector<Gain> gains_;
     std::vector<std::uint8_t> visits_;  // by body; 0 between steps
     std::vector<std::uint8_t> queued_;  // by body: is in queue_
-    std::vector<std::uint8_t> jointed_; // by body; 0 outside run()
 };
 
 } // namespace KODO_PRECISION

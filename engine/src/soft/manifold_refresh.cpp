@@ -4,9 +4,10 @@
 #include "contacts/contact_update.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
+
+#include "lanes/contact_block_lanes.hpp"
 
 namespace kodo {
 inline namespace KODO_PRECISION {
@@ -162,26 +163,9 @@ void ManifoldRefresh::find(const Step& step, std::uint32_t slot) {
 
 void ManifoldRefresh::apply(const Step& step, std::uint32_t slot, Real times) {
     const ContactSummary& summary = step.contactSet.summaries()[slot];
-    if (!summary.inPasses()) {
-        return;
+    if (summary.inPasses()) {
+        applyImpulses(step.bodies, step.contactSet.lanes().placeOf(summary.row.index), times);
     }
-    const auto [block, k] = step.contactSet.lanes().placeOf(summary.row.index);
-    const Vec2 n{block.normalX[k], block.normalY[k]};
-    const std::array<Real, 2> normal{times * block.points[0].impulse[k],
-                                     times * block.points[1].impulse[k]};
-    const Real friction = times * block.friction[k];
-    const Real rolling = times * block.rolling[k];
-    const Vec2 impulse = (normal[0] + normal[1]) * n + friction * perp(n);
-    const auto give = [&](std::uint32_t body, Real sign, Real lever1, Real lever2, Real tangent) {
-        BodyVelocity& motion = step.bodies.motion[body];
-        applyImpulse(motion, motion.invMass, sign * impulse, motion.invInertia,
-                     sign *
-                         (lever1 * normal[0] + lever2 * normal[1] + tangent * friction + rolling));
-    };
-    give(summary.bodyA, -1, block.points[0].leverA[k], block.points[1].leverA[k],
-         block.tangentLeverA[k]);
-    give(summary.bodyB, 1, block.points[0].leverB[k], block.points[1].leverB[k],
-         block.tangentLeverB[k]);
 }
 
 } // namespace KODO_PRECISION

@@ -172,18 +172,6 @@ void Refinement::findSeeds(const Step& step, Real most) {
     }
 }
 
-/// Lists the pairs of bodies that joints connect.
-void Refinement::listJoints(const Step& step) {
-    joined_.clear();
-    step.joints.forEachBusy([&](const JointSet::Joint& joint) {
-        const std::uint32_t a = firstBody(joint.def).index;
-        const std::uint32_t b = secondBody(joint.def).index;
-        joined_.emplace_back(a, b);
-        joined_.emplace_back(b, a);
-    });
-    std::sort(joined_.begin(), joined_.end()); // total order: equal pairs are the same
-}
-
 /// Gives the level to all bodies of an island.
 void Refinement::spread(const Step& step, std::uint32_t body, std::uint8_t level) {
     const Bodies& bodies = step.bodies;
@@ -210,10 +198,10 @@ void Refinement::spread(const Step& step, std::uint32_t body, std::uint8_t level
                 reach(other);
             }
         });
-        for (auto pair = std::lower_bound(joined_.begin(), joined_.end(), Joined{next, 0});
-             pair != joined_.end() && pair->first == next; ++pair) {
-            reach(pair->second);
-        }
+        step.joints.visitOf(next, [&](const JointSet::Joint& joint) {
+            reach(firstBody(joint.def).index);
+            reach(secondBody(joint.def).index);
+        });
     }
 }
 
@@ -231,7 +219,6 @@ bool Refinement::find(const Step& step) {
     findSeeds(step, most);
     findArrivals(step, most);
     if (!seeds_.empty()) {
-        listJoints(step);
         std::sort(seeds_.begin(), seeds_.end(), std::greater<>()); // total order: bodies are unique
         for (const auto& [level, body] : seeds_) {                 // the highest first
             spread(step, body, level);

@@ -59,20 +59,16 @@ public:
     }
 
 private:
-    using Joined = std::pair<std::uint32_t, std::uint32_t>;
-
     void findArrivals(const Step& step, Real most);
     void findSeeds(const Step& step, Real most);
     void addSeed(std::uint32_t body, Real excess);
     void spread(const Step& step, std::uint32_t body, std::uint8_t level);
-    void listJoints(const Step& step);
 
     std::vector<std::uint8_t> levels_;     // by body
     std::vector<std::uint32_t> refined_;   // bodies with a level above 0, in order
     std::vector<std::uint32_t> before_;    // those of the last step
     std::vector<std::uint8_t> levelsThen_; // of before_
     std::vector<std::pair<std::uint8_t, std::uint32_t>> seeds_; // level and body
-    std::vector<Joined> joined_; // bodies that a joint connects, both ways, in order
     std::vector<std::uint32_t> queue_;
     std::vector<std::uint32_t> arriving_; // slots
 };
