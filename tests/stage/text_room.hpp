@@ -3,10 +3,12 @@
 
 #include <apart/core/assets.hpp>
 #include <apart/core/medals.hpp>
+#include <support/draws.hpp>
 
 #include <gtest/gtest.h>
 
 #include <array>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -45,11 +47,11 @@ inline std::vector<std::string> crowdedTexts(const RecordingCanvas& canvas, Vec2
     return bad;
 }
 
-/// Each size and window in turn.
+/// Each size and window in turn, under a sanitizer in one window.
 template <typename Look>
 void inEachSize(Look look) {
     for (const int percent : kSizes) {
-        for (const Vec2 window : kWindows) {
+        for (const Vec2 window : std::span(kWindows).first(support::kSanitized ? 1 : 3)) {
             SCOPED_TRACE(testing::Message()
                          << percent << " % in " << window.x << " x " << window.y);
             look(percent, window);

@@ -75,8 +75,8 @@ private:
     std::vector<std::uint32_t> queue_;
     std::vector<std::uint32_t> slots_;
     std::vector<Gain> gains_;
-    std::vector<std::uint8_t> visits_;  // by body; 0 between steps
-    std::vector<std::uint8_t> queued_;  // by body: is in queue_
+    std::vector<std::uint8_t> visits_; // by body; 0 between steps
+    std::vector<std::uint8_t> queued_; // by body: is in queue_
 };
 
 } // namespace KODO_PRECISION
