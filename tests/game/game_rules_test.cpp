@@ -157,7 +157,7 @@ TEST(Serve, ItsFirstLegEndsWhereTheBallFirstTouches) {
         Input aim;
         aim.aim = static_cast<std::int16_t>(slope);
         game.tick(aim);
-        const std::vector<Vec2> leg = firstLeg(game);
+        const std::vector<Vec2> leg = servePath(game);
         ASSERT_EQ(leg.size(), 2u);
         Input launch;
         launch.launch = true;
@@ -178,9 +178,30 @@ TEST(Serve, ItsFirstLegBendsInTheWind) {
     Input aim;
     aim.aim = std::int16_t{0};
     game.tick(aim);
-    const std::vector<Vec2> leg = firstLeg(game);
+    const std::vector<Vec2> leg = servePath(game);
     ASSERT_GT(leg.size(), 5u);
     EXPECT_GT(leg.back().x, leg.front().x + Real(0.5));
+}
+
+TEST(Serve, AssistedItsPathGoesOnAfterABounceAndTheBallIsSlower) {
+    Game game(levelOf(kBrick), 5, Mode::Assisted);
+    Input aim;
+    aim.aim = std::int16_t{1500};
+    game.tick(aim);
+    const std::vector<Vec2> path = servePath(game);
+    ASSERT_EQ(path.size(), 2u + kAssistedBounces);
+    EXPECT_TRUE(near(path[1].x, kFieldWidth / 2 - kBallRadius, 0.1)) << "the right wall";
+    const Vec2 before = normalize(path[1] - path[0]);
+    const Vec2 after = normalize(path[2] - path[1]);
+    EXPECT_TRUE(near(after, Vec2{-before.x, before.y}, 1e-2));
+    Input launch;
+    launch.launch = true;
+    game.tick(launch);
+    for (int tick = 0; tick < 10; ++tick) {
+        game.tick({});
+    }
+    const Real speed = length(game.world()[game.balls()[0].body].velocity());
+    EXPECT_TRUE(near(speed, kAssistedSpeed * 12, 0.2));
 }
 
 TEST(Prize, TouchesOfThePaddleWithinAQuarterOfASecondAreOneHit) {
@@ -193,15 +214,18 @@ TEST(Prize, TouchesOfThePaddleWithinAQuarterOfASecondAreOneHit) {
     EXPECT_EQ(counts.hits, 2);
 }
 
-TEST(Prize, IsDividedByTheHitsOfThePaddleAndWonWithTheLastBlock) {
-    Game game(levelOf(emptyRows(5) + ".......b.......\n"), 5);
-    const std::int32_t all = game.counts().prize();
-    EXPECT_EQ(all, kPrizeFactor * 100);
+TEST(Prize, IsPaidForTheBestBlowAndDividedByWhatItLeft) {
+    Game game(levelOf(emptyRows(5) + "...bbb.b.......\n"), 5);
+    EXPECT_EQ(game.counts().prize(), 0);
     Input input;
     input.launch = true;
     game.tick(input);
     EXPECT_EQ(game.counts().hits, 1) << "a serve is a hit";
-    EXPECT_EQ(game.counts().prize(), all);
+    GameTestAccess::breakBlock(game, 0, {0, 24});
+    GameTestAccess::breakBlock(game, 0, {0, 24});
+    game.tick({});
+    EXPECT_EQ(game.counts().bestBlow, 2);
+    EXPECT_EQ(game.counts().prize(), kPrizeFactor * 400 * 2 / 3) << "it left two blocks";
     for (std::uint32_t tick = 0; tick < kHitTicks; ++tick) {
         GameTestAccess::shoot(game, {0, 3}, {0, -12});
         game.tick({});
@@ -210,15 +234,17 @@ TEST(Prize, IsDividedByTheHitsOfThePaddleAndWonWithTheLastBlock) {
         game.tick({});
     }
     EXPECT_EQ(game.counts().hits, 2);
-    EXPECT_EQ(game.counts().prize(), all / 2);
+    GameTestAccess::breakBlock(game, 0, {0, 24});
+    game.tick({});
+    EXPECT_EQ(game.counts().bestBlow, 2) << "a hit begins another blow";
     const std::int32_t before = game.score();
     GameTestAccess::breakBlock(game, 0, {0, 24});
     game.tick({});
     const auto* won = eventOf<Cleared>(game);
     ASSERT_NE(won, nullptr);
-    EXPECT_EQ(won->prize, all / 2);
+    EXPECT_EQ(won->prize, kPrizeFactor * 400 * 2 / 3);
     EXPECT_EQ(won->spared, 0);
-    EXPECT_EQ(game.score(), before + 100 + won->prize + won->lives);
+    EXPECT_GE(game.score(), before + 100 + won->prize + won->lives);
 }
 
 TEST(Serve, DependsOnTheSeedAndIsNeitherSteepNorFlat) {

@@ -26,7 +26,7 @@ TEST(Medals, AScoreEarnsTheHighestMarkThatItReaches) {
     EXPECT_EQ(nextMark(0, "c", kMarks), 0);
 }
 
-TEST(Medals, BronzeIsForTheLazySilverForThreeGamesInTenAndGoldIsFifteenPercentAbove) {
+TEST(Medals, BronzeIsForTheLazySilverForTwoGamesInTenAndGoldIsFifteenPercentAbove) {
     std::vector<std::int32_t> lazy(101);
     std::iota(lazy.begin(), lazy.end(), 1000); // 1000 to 1100: quantile q is 1000 + 100 q
     std::vector<std::int32_t> good(101);
@@ -35,6 +35,14 @@ TEST(Medals, BronzeIsForTheLazySilverForThreeGamesInTenAndGoldIsFifteenPercentAb
     EXPECT_EQ(scoresForMedals(lazy, good, {}), (Marks{1050, 2000, 2300}));
     EXPECT_EQ(scoresForMedals(good, lazy, {}), (Marks{1950, 2000, 2300}));
     EXPECT_EQ(scoresForMedals({0}, {0}, {}), (Marks{50, 50, 100}));
+}
+
+TEST(Medals, GoldIsForOneLuckyGameOfABotInTenAtMost) {
+    std::vector<std::int32_t> lazy(10, 100);
+    lazy[2] = lazy[5] = 1000;
+    using Marks = std::array<std::int32_t, 3>;
+    EXPECT_EQ(scoresForMedals(lazy, {100}, {}), (Marks{100, 100, 1050}));
+    EXPECT_EQ(scoresForMedals({100}, lazy, {}), (Marks{100, 100, 1050}));
 }
 
 TEST(Medals, SilverAndGoldLieAboveThePlayerWhoNeverMoves) {

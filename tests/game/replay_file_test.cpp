@@ -115,6 +115,11 @@ TEST(ReplayFile, HasForceAndModeInItsSecondFormat) {
     const Playback playback = played(replay);
     EXPECT_TRUE(playback.failures().empty());
     EXPECT_EQ(playback.game().mode(), Mode::Pure);
+    std::string assisted = text;
+    assisted.replace(assisted.find("pure"), 4, "assisted");
+    const Replay slow = std::get<Replay>(parseReplay(assisted, "assisted.replay"));
+    EXPECT_EQ(slow.mode, Mode::Assisted);
+    EXPECT_EQ(std::get<Replay>(parseReplay(toText(slow), "again")).mode, Mode::Assisted);
     std::string wrong = text;
     wrong.replace(wrong.find("pull"), 4, "suck");
     EXPECT_EQ(problemOf(wrong), "test.replay:7: force must be 0, pull or push");

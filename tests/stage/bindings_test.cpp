@@ -34,7 +34,7 @@ TEST(Bindings, EveryKeyHasItsOwnNameAndEachActAKey) {
 TEST(Bindings, AKeyThatIsUsedIsRefused) {
     Bindings bindings;
     EXPECT_EQ(bindings.bind(Act::Serve, 0, *keyNamed("P")), "P is in use: pause");
-    EXPECT_EQ(bindings.bind(Act::Serve, Bindings::kPadColumn, 4), "button 5 is in use: pull");
+    EXPECT_EQ(bindings.bind(Act::Serve, Bindings::kPadColumn, 4), "left shoulder is in use: pull");
     EXPECT_EQ(bindings.bind(Act::Left, 0, *keyNamed("A")), "A is in use: left") << "other column";
     EXPECT_NE(bindings.bind(Act::Serve, 0, *keyNamed("escape")), "");
     EXPECT_NE(bindings.bind(Act::Left, Bindings::kPadColumn, 9), "") << "the stick moves";

@@ -40,6 +40,7 @@ Profile someProfile() {
     profile.mode = Mode::Pure;
     profile.enter(Mode::Standard, "first_light", {12300, true, false, true});
     profile.enter(Mode::Pure, "lift_off", {70, false, false, false, 0, true, true});
+    profile.enter(Mode::Assisted, "lift_off", {60, true, false, false});
     profile.totals[2] = {3, 1, 500, 40, 12, 8, 5};
     return profile;
 }
@@ -287,6 +288,16 @@ TEST_F(ProfileFile, SavingDoesNotBringBackACorrectedScore) {
     ASSERT_FALSE(saveProfile(file_, profile));
     EXPECT_EQ(loadProfile(file_).profile.bestOf(Mode::Standard, "a"),
               (Best{120, true, false, false, 99999999}));
+}
+
+TEST_F(ProfileFile, KeepsEachMode) {
+    for (const Mode mode : {Mode::Standard, Mode::Pure, Mode::Assisted}) {
+        Profile profile;
+        profile.mode = mode;
+        const auto read = profileFrom(toText(profile), "x");
+        ASSERT_TRUE(std::holds_alternative<Profile>(read));
+        EXPECT_EQ(std::get<Profile>(read).mode, mode);
+    }
 }
 
 // D7: level names that are no bare keys of TOML.

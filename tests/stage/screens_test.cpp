@@ -203,7 +203,7 @@ TEST(Screens, SettingsAndResultsAreSaved) {
 }
 
 TEST(Screens, TheScoreOfAGameIsEnteredInItsOwnTable) {
-    for (const Mode mode : {Mode::Standard, Mode::Pure}) {
+    for (const Mode mode : {Mode::Standard, Mode::Pure, Mode::Assisted}) {
         std::vector<Profile> kept;
         StageDef def = StageRig::playing();
         def.profile.mode = mode;
@@ -212,12 +212,12 @@ TEST(Screens, TheScoreOfAGameIsEnteredInItsOwnTable) {
         playToTheEnd(rig);
         ASSERT_EQ(rig.stage.screen(), Screen::Over);
         ASSERT_EQ(kept.size(), 1u);
-        const Mode other = mode == Mode::Pure ? Mode::Standard : Mode::Pure;
         const Game& game = rig.stage.game();
         const Best best = kept[0].bestOf(mode, game.level().name);
         EXPECT_EQ(best.score, game.score());
         EXPECT_EQ(best.cleared, game.result() == Result::Won);
-        EXPECT_EQ(kept[0].bestOf(other, game.level().name), Best{});
+        EXPECT_EQ(kept[0].bestOf(next(mode), game.level().name), Best{});
+        EXPECT_EQ(kept[0].bestOf(next(next(mode)), game.level().name), Best{});
     }
 }
 
@@ -265,13 +265,15 @@ TEST(Screens, GamesOfAPilotAreNotSaved) {
     EXPECT_FALSE(recorded);
 }
 
-TEST(Screens, PureModeIsChosenOnTheTitleAndShownInTheGame) {
+TEST(Screens, AModeIsChosenOnTheTitleAndShownInTheGame) {
     StageRig rig(StageRig::twoLevels());
     rig.clickItem(Action::Mode);
     EXPECT_EQ(rig.stage.profile().mode, Mode::Pure);
+    rig.clickItem(Action::Mode);
+    EXPECT_EQ(rig.stage.profile().mode, Mode::Assisted);
     rig.clickItem(Action::Play);
-    EXPECT_EQ(rig.stage.game().mode(), Mode::Pure);
-    EXPECT_TRUE(rig.picture().says("PURE"));
+    EXPECT_EQ(rig.stage.game().mode(), Mode::Assisted);
+    EXPECT_TRUE(rig.picture().says("ASSISTED"));
 }
 
 TEST(Screens, AnyServeKeySkipsTheFanfare) {

@@ -77,7 +77,7 @@ inline StageDef crowded(int percent, Mode mode) {
     def.profile.settings.text = percent;
     def.profile.mode = mode;
     for (const auto& level : def.levels) {
-        for (const Mode each : {Mode::Standard, Mode::Pure}) {
+        for (const Mode each : {Mode::Standard, Mode::Pure, Mode::Assisted}) {
             def.profile.enter(each, level->name, {1234567, true, true, true});
         }
     }
@@ -95,7 +95,7 @@ inline StageDef crowded(int percent, Mode mode) {
         "number from 0 to 100 is expected, not 'loud'. It was renamed to "
         "profile.toml.broken, and a new one begins."};
     def.replays = [] {
-        const ShowEntry entry{"Last game: Runaway cart (pure)", "2026-11-26", "cannot be read",
+        const ShowEntry entry{"Last game: Runaway cart (assisted)", "2026-11-26", "cannot be read",
                               1234567};
         return std::vector<ShowEntry>(kMostReplays, entry);
     };

@@ -20,7 +20,7 @@ namespace apart {
 namespace {
 
 TEST(TextRoom, OfTheScreensAroundTheGame) {
-    for (const Mode mode : {Mode::Standard, Mode::Pure}) {
+    for (const Mode mode : {Mode::Standard, Mode::Assisted}) {
         inEachSize([&](int percent, Vec2 window) {
             TextScreen room(crowded(percent, mode), window);
             room.expectFree("title");
@@ -66,7 +66,7 @@ TEST(TextRoom, OfTheHelp) {
 TEST(TextRoom, OfEachLevelOnTheMapAndBesideTheField) {
     const std::size_t step = support::kSanitized ? 9 : 1;
     for (const int percent : kSizes) {
-        for (const Mode mode : {Mode::Standard, Mode::Pure}) {
+        for (const Mode mode : {Mode::Standard, Mode::Assisted}) {
             SCOPED_TRACE(percent);
             const Vec2 window =
                 kWindows[1]; // its letters are the smallest: most is lost by rounding
@@ -138,7 +138,7 @@ TEST(TextRoom, WordsBeforeAServeCoverNoBlockRopeOrDot) {
 }
 
 TEST(TextRoom, OfAGameAndItsPause) {
-    for (const Mode mode : {Mode::Standard, Mode::Pure}) {
+    for (const Mode mode : {Mode::Standard, Mode::Assisted}) {
         inEachSize([&](int percent, Vec2 window) {
             TextScreen room(crowded(percent, mode), window);
             room.clickItem(Action::Daily);

@@ -14,7 +14,8 @@ using kodo::Vec2;
 
 namespace {
 
-constexpr int kLegSteps = 90; // of LoneFlight, at most
+constexpr int kLegSteps = 90;     // of LoneFlight, at most
+constexpr Real kOff = Real(0.01); // m; distance from the surface after a bounce
 
 } // namespace
 
@@ -41,20 +42,27 @@ void LoneFlight::step() {
     body.setVelocity(servoVelocity(body.velocity(), heading_, speed_));
 }
 
-std::vector<Vec2> firstLeg(const Game& game) {
+std::vector<Vec2> servePath(const Game& game) {
     const auto balls = game.balls();
     const auto riding =
         std::find_if(balls.begin(), balls.end(), [](const Ball& ball) { return ball.riding; });
     if (riding == balls.end()) {
         return {};
     }
-    const Vec2 heading = game.serveHeading();
+    Vec2 heading = game.serveHeading();
     std::vector<Vec2> leg = {game.world()[riding->body].position()};
     if (!isBent(game)) {
-        const Vec2 way = kFarSight * heading;
-        const std::optional<kodo::QueryHit> hit = game.ahead(leg[0], way);
-        leg.push_back(leg[0] + (hit ? hit->fraction : Real(1)) * way);
-        return leg;
+        Vec2 from = leg[0];
+        for (int bounces = game.mode() == Mode::Assisted ? kAssistedBounces : 0;; --bounces) {
+            const Vec2 way = kFarSight * heading;
+            const std::optional<kodo::QueryHit> hit = game.ahead(from, way);
+            leg.push_back(from + (hit ? hit->fraction : Real(1)) * way);
+            if (bounces == 0 || !hit) {
+                return leg;
+            }
+            from = leg.back() + kOff * hit->normal;
+            heading -= 2 * dot(heading, hit->normal) * hit->normal;
+        }
     }
     LoneFlight flight(game, leg[0], heading, game.ballSpeed() * heading);
     for (int step = 0; step < kLegSteps; ++step) {

@@ -28,7 +28,8 @@ private:
 };
 
 /// Path (m) of the centre of the riding ball, once served, to its first touch: its ends, and points
-/// between them where forces bend it. Empty if no ball rides. What moves counts as standing still.
-std::vector<kodo::Vec2> firstLeg(const Game& game);
+/// between them where forces bend it. In Mode::Assisted a straight path goes on for
+/// kAssistedBounces. Empty if no ball rides. What moves counts as standing still.
+std::vector<kodo::Vec2> servePath(const Game& game);
 
 } // namespace apart

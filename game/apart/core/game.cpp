@@ -89,6 +89,7 @@ void Game::tick(const Input& input) {
     watchWaters(state_);
     watchProgress(state_);
     removeGone(state_);
+    state_.counts.watchBlow();
     conclude(state_);
 }
 

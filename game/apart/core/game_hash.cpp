@@ -106,8 +106,9 @@ std::uint64_t GameState::hash() const {
     sum.add(static_cast<std::uint8_t>(mode));
     sum.add(tick);
     sum.add(static_cast<std::uint8_t>(result));
-    for (const std::int32_t number : {counts.score, counts.lives, counts.combo, counts.blocksLeft,
-                                      counts.blocksAtStart, counts.hits, counts.fullPrize}) {
+    for (const std::int32_t number :
+         {counts.score, counts.lives, counts.combo, counts.blocksLeft, counts.blocksAtStart,
+          counts.hits, counts.leftAtHit, counts.bestBlow, counts.prizeUnit}) {
         sum.add(number);
     }
     sum.add(counts.serves);

@@ -84,7 +84,7 @@ void newServe(GameState& game) {
     game.paddle.serveHeading = drawServe(game, place);
     ++game.counts.serves;
     const bool hollow =
-        game.mode == Mode::Standard && (isBuilding(*game.level) || !game.level->links.empty());
+        game.mode != Mode::Pure && (isBuilding(*game.level) || !game.level->links.empty());
     const BodyId ball = addBall(game.world, place, kind);
     game.world[ball].setType(kodo::BodyType::Kinematic);
     game.balls.push_back({ball, game.paddle.serveHeading, true, hollow, kind});

@@ -59,7 +59,7 @@ void addBlock(GameState& game, Block block) {
     game.blocks.push_back(block);
     game.counts.blocksAtStart += block.kind.breakable() ? 1 : 0;
     game.counts.blocksLeft = game.counts.blocksAtStart;
-    game.counts.fullPrize += block.counts() ? kPrizeFactor * pointsOf(block.kind) : 0;
+    game.counts.prizeUnit += block.counts() ? kPrizeFactor * pointsOf(block.kind) : 0;
 }
 
 void buildFreeBlocks(GameState& game) {

@@ -44,13 +44,23 @@ Real GameState::ballSpeed() const {
     const auto broken = static_cast<Real>(counts.blocksAtStart - counts.blocksLeft);
     const Real share =
         counts.blocksAtStart > 0 ? broken / static_cast<Real>(counts.blocksAtStart) : Real(0);
-    return static_cast<Real>(level->ballSpeed) / 1000 * (1 + kSpeedUp * share);
+    const Real speed = static_cast<Real>(level->ballSpeed) / 1000 * (1 + kSpeedUp * share);
+    return mode == Mode::Assisted ? kAssistedSpeed * speed : speed;
 }
 
 void Counts::hit(std::uint32_t tick) {
     const bool apart = hits == 0 || tick - hitTick >= kHitTicks;
-    hits += apart && !isDown() ? 1 : 0;
+    if (apart && !isDown()) {
+        ++hits;
+        leftAtHit = blocksLeft;
+    }
     hitTick = tick;
+}
+
+void Counts::watchBlow() {
+    if (!isDown()) { // what comes down by itself is part of no blow
+        bestBlow = std::max(bestBlow, leftAtHit - blocksLeft);
+    }
 }
 
 kodo::Transform GameState::frameOf(const Block& block) const {

@@ -31,13 +31,17 @@ struct Counts {
     std::uint32_t serves = 0;
     std::int32_t hits = 0;      // of balls on the paddle; a serve is one
     std::uint32_t hitTick = 0;  // of the last hit
-    std::int32_t fullPrize = 0; // points of a game won with one hit
+    std::int32_t leftAtHit = 0; // blocksLeft at that hit
+    std::int32_t bestBlow = 0;  // most blocks cleared between two hits, until a building is down
+    std::int32_t prizeUnit = 0; // points of all blocks, times kPrizeFactor
     std::uint32_t downTick = 0; // since which the building is down; 0: it is not
 
     /// A ball touched the paddle, or was served, at a tick.
     void hit(std::uint32_t tick);
-    /// Points for few hits, if the game were won now.
-    std::int32_t prize() const { return fullPrize / std::max(hits, 1); }
+    /// Compares the blocks that the last hit cleared with the best blow.
+    void watchBlow();
+    /// Points for the best blow, if the game were won now.
+    std::int32_t prize() const { return prizeUnit * bestBlow / (blocksAtStart - bestBlow + 1); }
     /// What is left of the building comes down, and no ball is needed any more.
     bool isDown() const { return downTick > 0; }
 };

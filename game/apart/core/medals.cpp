@@ -55,11 +55,14 @@ std::array<std::int32_t, 3> scoresForMedals(const std::vector<std::int32_t>& laz
     const auto rounded = [](std::int32_t score) { // up, to one of the marks
         return std::max(1, (score + kMedalStep - 1) / kMedalStep) * kMedalStep;
     };
+    const auto above = [&](double share) { // what so many games of each bot do not exceed
+        return std::max(quantile(lazy, 1 - share), quantile(good, 1 - share));
+    };
     const std::int32_t bronze = rounded(quantile(lazy, 1 - kBronzeShare));
     const std::int32_t idle = absent.empty() ? 0 : *std::max_element(absent.begin(), absent.end());
-    const std::int32_t silver = rounded(
-        std::max({quantile(lazy, 1 - kSilverShare), quantile(good, 1 - kSilverShare), idle + 1}));
-    const auto gold = static_cast<std::int32_t>((1 + kGoldOver) * silver);
+    const std::int32_t silver = rounded(std::max(above(kSilverShare), idle + 1));
+    const auto gold =
+        std::max(static_cast<std::int32_t>((1 + kGoldOver) * silver), above(kGoldShare) + 1);
     return {bronze, silver, rounded(gold)};
 }
 

@@ -30,10 +30,12 @@ struct MedalMarks {
 };
 
 // Bronze is reached by kBronzeShare of the games of the lazy bot, silver by kSilverShare of those
-// of the lazy and of the good one at most. Gold lies above silver by kGoldOver of it.
+// of the lazy and of the good one at most. Gold lies above silver by kGoldOver of it, and is
+// reached by kGoldShare of their games at most.
 inline constexpr double kBronzeShare = 0.75;
-inline constexpr double kSilverShare = 0.3;
+inline constexpr double kSilverShare = 0.2;
 inline constexpr double kGoldOver = 0.15;
+inline constexpr double kGoldShare = 0.1;
 inline constexpr std::int32_t kMedalStep = 50; // marks are multiples of it
 
 // Share of the won games that need as few hits, and share of all games without as large a collapse.

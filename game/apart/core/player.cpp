@@ -3,7 +3,7 @@
 #include <apart/core/tuning.hpp>
 
 #include <algorithm>
-#include <functional>
+#include <optional>
 
 namespace apart {
 
@@ -15,44 +15,23 @@ constexpr int kAims = 10;                                  // tried on each side
 constexpr int kOffsets = 8;                                // on each side of the paddle's middle
 constexpr Real kOffsetStep = Real(0.2);                    // m
 constexpr Real kPlanSeconds = Real(0.3);                   // before the ball arrives
-constexpr std::uint32_t kAheadTicks = 5 * kTicksPerSecond; // of a copy
-constexpr std::int32_t kHitsOfAll = 6;                     // that a whole building is taken to need
+constexpr std::uint32_t kAheadTicks = 8 * kTicksPerSecond; // of a copy, for a serve or a return
 
-/// Score that a game promises: with that of its lives and of its prize, if the blocks that are left
-/// need hits in proportion.
+/// Score that a game promises: with what its end will add if it is won.
 double outlook(const Game& game) {
     if (game.result() != Result::Playing) {
         return game.score();
     }
     const Counts& counts = game.counts();
-    double score = counts.score + counts.lives * kLifePoints;
+    double score = counts.score + counts.lives * kLifePoints + counts.prize();
     for (const Block& block : game.blocks()) {
         score += block.due;
     }
-    const double share = static_cast<double>(counts.blocksLeft) / std::max(counts.blocksAtStart, 1);
-    const double further = counts.isDown() ? 0 : 1 + kHitsOfAll * share;
-    return score + counts.fullPrize / (std::max(counts.hits, 1) + further);
+    return game.keeps() ? score + kSparedPoints : score;
 }
 
-/// Sets what the shot needs in the input of a tick; false once the ball was met.
-using Shot = std::function<bool(const Game&, Input&)>;
-
-/// Outlook of a copy some seconds after a shot, if the ball is met without an aim from then on.
-double tried(Game copy, const Shot& shot) {
-    bool aims = true;
-    for (std::uint32_t i = 0; i < kAheadTicks && copy.result() == Result::Playing; ++i) {
-        Input input = bot(copy, BotKind::Lazy);
-        aims = aims && shot(copy, input);
-        copy.tick(input);
-    }
-    return outlook(copy);
-}
-
-Shot serveAt(std::int16_t aim) {
-    return [aim](const Game& game, Input& input) {
-        input.aim = aim;
-        return game.serving();
-    };
+bool isNear(const std::optional<Arrival>& arrival) {
+    return arrival && arrival->seconds < kPlanSeconds;
 }
 
 void meetAt(const Game& game, Real offset, Input& input) {
@@ -63,14 +42,54 @@ void meetAt(const Game& game, Real offset, Input& input) {
     }
 }
 
-Shot returnAt(Real offset, std::uint32_t hitTick) {
-    return [offset, hitTick](const Game& game, Input& input) {
-        const bool met = game.counts().hitTick != hitTick;
-        if (!met) {
-            meetAt(game, offset, input);
+/// Outlook of a copy at the hit that follows a return, or once the building is down.
+double afterReturn(Game copy, Real offset) {
+    const std::int32_t hits = copy.counts().hits;
+    for (std::uint32_t i = 0; i < kAheadTicks && copy.result() == Result::Playing; ++i) {
+        Input input = bot(copy, BotKind::Lazy);
+        if (copy.counts().hits == hits) {
+            meetAt(copy, offset, input);
         }
-        return !met;
-    };
+        copy.tick(input);
+        if (copy.counts().hits > hits + 1 || copy.counts().isDown()) {
+            break;
+        }
+    }
+    return outlook(copy);
+}
+
+struct Return {
+    Real offset = 0; // m, from the paddle's middle
+    double outlook = 0;
+};
+
+Return bestReturn(const Game& game) {
+    std::optional<Return> best;
+    for (int i = -kOffsets; i <= kOffsets; ++i) {
+        const Real offset = kOffsetStep * static_cast<Real>(i);
+        const double score = afterReturn(game, offset);
+        if (!best || score > best->outlook) {
+            best = {offset, score};
+        }
+    }
+    return *best;
+}
+
+/// Outlook of a copy after a serve and the best return of it.
+double afterServe(Game copy, std::int16_t aim) {
+    for (std::uint32_t i = 0; i < kAheadTicks && copy.result() == Result::Playing; ++i) {
+        Input input = bot(copy, BotKind::Lazy);
+        if (copy.serving()) {
+            input.aim = aim;
+        } else if (isNear(firstArrival(copy, 0))) {
+            return bestReturn(copy).outlook;
+        }
+        copy.tick(input);
+        if (copy.counts().isDown()) {
+            break;
+        }
+    }
+    return outlook(copy);
 }
 
 std::int16_t bestServe(const Game& game) {
@@ -78,7 +97,7 @@ std::int16_t bestServe(const Game& game) {
     std::optional<double> most;
     for (int i = -kAims; i <= kAims; ++i) {
         const auto aim = static_cast<std::int16_t>(kMostAim * i / (kAims + 2));
-        const double score = tried(game, serveAt(aim));
+        const double score = afterServe(game, aim);
         if (!most || score > *most) {
             most = score;
             best = aim;
@@ -87,25 +106,14 @@ std::int16_t bestServe(const Game& game) {
     return best;
 }
 
-Real bestReturn(const Game& game) {
-    Real best = 0;
-    std::optional<double> most;
-    for (int i = -kOffsets; i <= kOffsets; ++i) {
-        const Real offset = kOffsetStep * static_cast<Real>(i);
-        const double score = tried(game, returnAt(offset, game.counts().hitTick));
-        if (!most || score > *most) {
-            most = score;
-            best = offset;
-        }
-    }
-    return best;
-}
-
 } // namespace
 
 Input Player::next(const Game& game) {
-    Input input = bot(game, kind_);
-    if (kind_ != BotKind::Planner || game.result() != Result::Playing) {
+    if (kind_ != BotKind::Planner) {
+        return bot(game, kind_);
+    }
+    Input input = bot(game, BotKind::Lazy); // as on the copies
+    if (game.result() != Result::Playing || game.counts().isDown()) {
         return input;
     }
     if (game.serving()) {
@@ -116,9 +124,9 @@ Input Player::next(const Game& game) {
     if (!arrival || game.counts().hitTick != hitTick_) {
         offset_.reset(); // met, or turned away
     }
-    if (arrival && arrival->seconds < kPlanSeconds) {
+    if (isNear(arrival)) {
         if (!offset_) {
-            offset_ = bestReturn(game);
+            offset_ = bestReturn(game).offset;
             hitTick_ = game.counts().hitTick;
         }
         meetAt(game, *offset_, input);

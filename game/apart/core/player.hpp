@@ -9,9 +9,9 @@
 
 namespace apart {
 
-/// Plays a game with one kind of bot. The planner tries each serve and each return on copies of the
-/// game, takes the one with the best outlook, and keeps it until the ball is met. The other kinds
-/// need the current state alone.
+/// Plays a game with one kind of bot. The planner tries each serve, with each return of it, on
+/// copies of the game, takes the one with the best outlook, and keeps it until the ball is met. The
+/// other kinds need the current state alone.
 class Player {
 public:
     explicit Player(BotKind kind = BotKind::Good) : kind_(kind) {}

@@ -23,7 +23,7 @@ namespace apart {
 ///   level keystones 0f3c...          # name; digest of its content, optional if hand-written
 ///   rules 1                          # kRulesVersion of the recording; optional if hand-written
 ///   seed 7
-///   pure                             # Mode::Pure
+///   pure                             # Mode::Pure, or assisted
 ///   handwritten                      # then there is no digest at the end
 ///   # tick  paddle  target  launch  force  aim
 ///   0       0       -       0       0

@@ -69,8 +69,9 @@ private:
             replay_.handwritten = true;
             return "";
         }
-        if (first == "pure" && words.size() == 1) {
-            replay_.mode = Mode::Pure;
+        const auto mode = std::find(kModeNames.begin() + 1, kModeNames.end(), first);
+        if (mode != kModeNames.end() && words.size() == 1) {
+            replay_.mode = static_cast<Mode>(mode - kModeNames.begin());
             return "";
         }
         if (first == "hash") {

@@ -46,8 +46,8 @@ std::string toText(const Replay& replay) {
         text += "rules " + std::to_string(*replay.rules) + "\n";
     }
     text += "seed " + std::to_string(replay.seed) + "\n";
-    if (replay.mode == Mode::Pure) {
-        text += "pure\n";
+    if (replay.mode != Mode::Standard) {
+        text += std::string(kModeNames[static_cast<std::size_t>(replay.mode)]) + "\n";
     }
     if (replay.handwritten) {
         text += "handwritten\n";

@@ -12,9 +12,15 @@ namespace apart {
 
 // State of a game besides its World.
 
-/// Pure: no rule changes the path of a ball at a contact, nor its mass.
-enum class Mode : std::uint8_t { Standard, Pure };
-inline constexpr std::array<std::string_view, 2> kModeNames = {"standard", "pure"};
+/// Pure: no rule changes the path of a ball at a contact, nor its mass. Assisted: balls are slower,
+/// and more of a serve is shown.
+enum class Mode : std::uint8_t { Standard, Pure, Assisted };
+inline constexpr std::array<std::string_view, 3> kModeNames = {"standard", "pure", "assisted"};
+
+/// The next mode in a circle.
+constexpr Mode next(Mode mode) {
+    return static_cast<Mode>((static_cast<std::size_t>(mode) + 1) % kModeNames.size());
+}
 
 /// An unbroken block. Only blocks of a boss share a body; the shape of each is part `part` of it.
 struct Block {

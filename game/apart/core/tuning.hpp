@@ -12,7 +12,7 @@ namespace apart {
 using kodo::Real;
 
 // To be raised whenever the same inputs give another game. Older replays are then refused.
-inline constexpr std::uint32_t kRulesVersion = 34;
+inline constexpr std::uint32_t kRulesVersion = 35;
 
 inline constexpr int kTicksPerSecond = 120;
 inline constexpr Real kTickSeconds = Real(1) / 120;
@@ -47,11 +47,13 @@ inline constexpr Real kMostSpin = 25;              // rad/s; limit applied by th
 inline constexpr Real kLostDepth = Real(0.7);      // below the field; deeper balls are lost
 inline constexpr std::size_t kMostBalls = 8;       // further balls of a split become shards
 inline constexpr Real kSpeedUp = Real(0.35);       // relative gain of speed up to the last block
+inline constexpr Real kAssistedSpeed = Real(0.7);  // of the speed, in Mode::Assisted
 inline constexpr Real kServeSlope = Real(0.6);     // |x/y| of the flattest serve that is not aimed
 inline constexpr std::int16_t kMostAim = 1732;     // 1/1000, |x/y| of the flattest aimed serve
-inline constexpr Real kServeSeconds = 1; // of flight within which a serve is to meet a block
-inline constexpr int kServeDraws = 32;   // of directions, until one does
-inline constexpr Real kFarSight = 40;    // m; length of casts along a ball's path
+inline constexpr Real kServeSeconds = 1;   // of flight within which a serve is to meet a block
+inline constexpr int kServeDraws = 32;     // of directions, until one does
+inline constexpr int kAssistedBounces = 2; // of the path that Mode::Assisted shows
+inline constexpr Real kFarSight = 40;      // m; length of casts along a ball's path
 
 // The governor. A servo holds the speed along the heading. The smallest rotation at a contact keeps
 // a ball out of a cone around the horizontal, where it would bounce between the side walls for
@@ -126,8 +128,9 @@ inline constexpr std::int32_t kPowerPoints = 50;
 inline constexpr std::int32_t kCatchPoints = 100;
 inline constexpr std::int32_t kLifePoints = 1000;   // for each life left at the end
 inline constexpr std::int32_t kSparedPoints = 2000; // for what Level::keep spares
-// The prize of a won level: its blocks' points times this, divided by the hits of the paddle.
-inline constexpr std::int32_t kPrizeFactor = 32;
+// The prize of a won level: its blocks' points times this, times the blocks of the best blow,
+// divided by one more than it left.
+inline constexpr std::int32_t kPrizeFactor = 4;
 inline constexpr std::uint32_t kHitTicks = 30; // 0.25 s: touches of the paddle in it are one hit
 inline constexpr std::int32_t kMostCombo = 8;  // largest factor of points
 

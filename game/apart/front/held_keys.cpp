@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace apart {
 
@@ -58,16 +59,16 @@ std::optional<Command> fixedCommand(int key, bool inGame) {
     return holds ? std::optional(found->command) : std::nullopt;
 }
 
-constexpr float kDeadZone = 0.2f; // share of the way of a stick
+constexpr float kDeadZone = 0.2f;   // share of the way of a stick
+constexpr float kTiltBegins = 0.6f; // likewise, in a menu
+constexpr float kTiltEnds = 0.4f;
+constexpr float kTriggerPulled = 0.5f;
+constexpr std::size_t kShoulder = 4; // the left one; the right one follows
 
 /// -1..1, from the end of the dead zone on.
 Real beyondDeadZone(float share) {
     const float way = std::max(std::abs(share) - kDeadZone, 0.0f) / (1 - kDeadZone);
     return static_cast<Real>(share < 0 ? -way : way);
-}
-
-int signOf(Real x) {
-    return x == 0 ? 0 : x < 0 ? -1 : 1;
 }
 
 } // namespace
@@ -96,31 +97,69 @@ void HeldKeys::release(int key) {
     }
 }
 
-void HeldKeys::pressButton(unsigned button, Signals& signals) const {
-    const std::optional<Command> fixed =
-        button < kFixedButtons.size() ? std::optional(kFixedButtons[button]) : std::nullopt;
-    give({true, static_cast<int>(button)}, fixed, signals);
+Pad Pad::joined(const Pad& other) const {
+    const auto farther = [](float a, float b) { return std::abs(b) > std::abs(a) ? b : a; };
+    return {farther(stickX, other.stickX),
+            farther(stickY, other.stickY),
+            farther(padX, other.padX),
+            farther(padY, other.padY),
+            {std::max(triggers[0], other.triggers[0]), std::max(triggers[1], other.triggers[1])},
+            held | other.held};
+}
+
+void HeldKeys::pressButtons(std::uint32_t held, Signals& signals) {
+    const std::uint32_t begun = held & ~buttonsHeld_;
+    buttonsHeld_ = held;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(kMostButtons); ++i) {
+        if ((begun >> i & 1u) != 0) {
+            const std::optional<Command> fixed =
+                i < kFixedButtons.size() ? std::optional(kFixedButtons[i]) : std::nullopt;
+            give({true, static_cast<int>(i)}, fixed, signals);
+        }
+    }
+}
+
+/// A stick must go farther to tilt than to stay tilted, so that a trembling one moves a menu once.
+void HeldKeys::tilt(const Pad& pad, Signals& signals) {
+    const auto tilted = [](float share, int before) {
+        const float least = static_cast<float>(before) * share > 0 ? kTiltEnds : kTiltBegins;
+        return std::abs(share) > least ? (share < 0 ? -1 : 1) : 0;
+    };
+    const bool upright = std::abs(pad.stickY) > std::abs(pad.stickX);
+    const std::array<int, 2> now = {tilted(pad.padX != 0 ? pad.padX
+                                           : upright     ? 0
+                                                         : pad.stickX,
+                                           tilt_[0]),
+                                    tilted(pad.padY != 0 ? pad.padY
+                                           : upright     ? pad.stickY
+                                                         : 0,
+                                           tilt_[1])};
+    if (now == std::exchange(tilt_, now)) {
+        return;
+    }
+    if (now[1] != 0) {
+        signals.commands.push_back(now[1] < 0 ? Command::Up : Command::Down);
+    } else if (now[0] != 0) {
+        signals.commands.push_back(now[0] < 0 ? Command::Left : Command::Right);
+    }
 }
 
 void HeldKeys::take(const Pad& pad, Signals& signals) {
     const Real x = beyondDeadZone(pad.padX);
-    signals.stick = x != 0 ? x : beyondDeadZone(pad.stick);
+    signals.stick = x != 0 ? x : beyondDeadZone(pad.stickX);
+    std::uint32_t pressed = pad.held;
+    for (std::size_t side = 0; side < pad.triggers.size(); ++side) {
+        pressed |= pad.triggers[side] > kTriggerPulled ? 1u << (kShoulder + side) : 0u;
+    }
+    pressButtons(pressed, signals);
     const auto held = [&](Act act) {
         const int button = bindings_.at(act, Bindings::kPadColumn);
-        return button >= 0 && ((pad.held >> button) & 1u) != 0;
+        return button >= 0 && (pressed >> button & 1u) != 0;
     };
     signals.pullHeld = signals.pullHeld || held(Act::Pull);
     signals.pushHeld = signals.pushHeld || held(Act::Push);
     signals.serveHeld = signals.serveHeld || held(Act::Serve);
-    const std::array<int, 2> tilt = {signOf(x), signOf(beyondDeadZone(pad.padY))};
-    if (tilt != padTilt_) { // a menu moves once per press
-        padTilt_ = tilt;
-        if (tilt[1] != 0) {
-            signals.commands.push_back(tilt[1] < 0 ? Command::Up : Command::Down);
-        } else if (tilt[0] != 0) {
-            signals.commands.push_back(tilt[0] < 0 ? Command::Left : Command::Right);
-        }
-    }
+    tilt(pad, signals);
 }
 
 bool HeldKeys::holds(Act act) const {

@@ -7,12 +7,17 @@
 
 namespace apart {
 
-/// State of a gamepad.
+/// State of a gamepad. Shares of axes are -1..1, to the right and downwards.
 struct Pad {
-    float stick = 0;        // -1..1, to the right
-    float padX = 0;         // -1..1, of the directional pad, to the right
-    float padY = 0;         // -1..1, downwards
-    std::uint32_t held = 0; // a bit for each button, in the order of HeldKeys::pressButton()
+    float stickX = 0;
+    float stickY = 0;
+    float padX = 0; // of the directional pad
+    float padY = 0;
+    std::array<float, 2> triggers{}; // left and right, 1: pulled; more than half acts as a shoulder
+    std::uint32_t held = 0; // a bit for each button: A B X Y, two shoulders, back, start, others
+
+    /// Of two gamepads: all buttons, and the farther way of each axis.
+    Pad joined(const Pad& other) const;
 };
 
 /// Keys, and buttons of a gamepad, with what they mean to the player; the same in every kind of
@@ -28,20 +33,22 @@ public:
     void press(int key, Signals& signals);
     void release(int key);
     void releaseAll() { held_ = {}; }
-    /// Buttons are numbered in the order A B X Y, two shoulders, back, start.
-    void pressButton(unsigned button, Signals& signals) const;
-    /// Sticks and held buttons, once a frame.
+    /// The gamepad, once a frame. Buttons that were not held before are pressed. A tilt moves a
+    /// menu once.
     void take(const Pad& pad, Signals& signals);
     /// True while a key of the act is held.
     bool holds(Act act) const;
 
 private:
     void give(Press press, std::optional<Command> fixed, Signals& signals) const;
+    void pressButtons(std::uint32_t held, Signals& signals);
+    void tilt(const Pad& pad, Signals& signals);
 
     Bindings bindings_;
     std::array<bool, kKeyNames.size()> held_{};
     bool inGame_ = false;
-    std::array<int, 2> padTilt_{}; // -1, 0 or 1 along x and y of the directional pad
+    std::array<int, 2> tilt_{};     // -1, 0 or 1 along x and y, of the gamepad
+    std::uint32_t buttonsHeld_ = 0; // of the gamepad
 };
 
 } // namespace apart

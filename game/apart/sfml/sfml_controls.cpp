@@ -26,19 +26,26 @@ kodo_draw::Pixel pixelOf(sf::Vector2i place) {
 
 } // namespace
 
-/// Sticks and held buttons of the first gamepad.
+/// All gamepads as one.
 void SfmlControls::pollPad(Signals& signals) {
-    constexpr unsigned kPad = 0;
     using sf::Joystick;
-    if (!window_.hasFocus() || !Joystick::isConnected(kPad)) {
-        return;
+    Pad all;
+    for (unsigned i = 0; window_.hasFocus() && i < Joystick::Count; ++i) {
+        if (!Joystick::isConnected(i)) {
+            continue;
+        }
+        const auto axis = [i](Joystick::Axis of) { return Joystick::getAxisPosition(i, of) / 100; };
+        Pad pad{.stickX = axis(Joystick::X),
+                .stickY = axis(Joystick::Y),
+                .padX = axis(Joystick::PovX),
+                .padY = axis(Joystick::PovY),
+                .triggers = {axis(Joystick::Z), axis(Joystick::R)}};
+        for (unsigned button = 0; button < static_cast<unsigned>(kMostButtons); ++button) {
+            pad.held |= Joystick::isButtonPressed(i, button) ? 1u << button : 0u;
+        }
+        all = all.joined(pad);
     }
-    const auto axis = [](Joystick::Axis of) { return Joystick::getAxisPosition(kPad, of) / 100; };
-    Pad pad{axis(Joystick::X), axis(Joystick::PovX), axis(Joystick::PovY), 0};
-    for (unsigned button = 0; button < static_cast<unsigned>(kMostButtons); ++button) {
-        pad.held |= Joystick::isButtonPressed(kPad, button) ? 1u << button : 0u;
-    }
-    keys_.take(pad, signals);
+    keys_.take(all, signals);
 }
 
 Signals SfmlControls::poll() {
@@ -123,8 +130,6 @@ void SfmlControls::take(const sf::Event& event, Signals& signals) {
         return keys_.press(event.key.code, signals);
     case sf::Event::KeyReleased:
         return keys_.release(event.key.code);
-    case sf::Event::JoystickButtonPressed:
-        return keys_.pressButton(event.joystickButton.button, signals);
     case sf::Event::MouseMoved:
         return move({event.mouseMove.x, event.mouseMove.y}, signals);
     case sf::Event::MouseButtonPressed:

@@ -14,7 +14,11 @@ struct Usual {
     std::string_view second; // empty: none
     int button;
 };
-// By Act. Buttons in the order of most drivers: A B X Y, two shoulders, back, start.
+// In the order of most drivers.
+constexpr std::string_view kButtonNames[] = {"button A", "button B",      "button X",
+                                             "button Y", "left shoulder", "right shoulder",
+                                             "back",     "start"};
+// By Act.
 constexpr std::array<Usual, kActs> kUsual = {{
     {"left", "A", kNoKey},
     {"right", "D", kNoKey},
@@ -44,7 +48,10 @@ std::string keyText(int key) {
 }
 
 std::string buttonText(int button) {
-    return button < 0 ? "-" : "button " + std::to_string(button + 1);
+    const auto index = static_cast<std::size_t>(button);
+    return button < 0                        ? "-"
+           : index < std::size(kButtonNames) ? std::string(kButtonNames[index])
+                                             : "button " + std::to_string(button + 1);
 }
 
 bool isReserved(int key) {

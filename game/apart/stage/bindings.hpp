@@ -37,12 +37,13 @@ inline constexpr std::array<std::string_view, 101> kKeyNames = {
     "F6",          "F7",        "F8",          "F9",       "F10",        "F11",
     "F12",         "F13",       "F14",         "F15",      "pause"};
 inline constexpr int kNoKey = -1;
-inline constexpr int kMostButtons = 32; // of a gamepad, numbered from 0; shown from 1
+inline constexpr int kMostButtons =
+    32; // of a gamepad, numbered from 0; without a name shown from 1
 
 /// The key of a name; nullopt: there is none.
 std::optional<int> keyNamed(std::string_view name);
 std::string keyText(int key);       // "-" for kNoKey
-std::string buttonText(int button); // "button 1"
+std::string buttonText(int button); // "button A", "left shoulder", "button 9"
 
 /// A pressed key or button.
 struct Press {

@@ -49,8 +49,10 @@ int mostMedalsOf(const Level& level, std::span<const MedalMarks> marks) {
 }
 
 bool isWon(const Level& level, const Profile& profile) {
-    return profile.bestOf(Mode::Standard, level.name).cleared ||
-           profile.bestOf(Mode::Pure, level.name).cleared;
+    return std::any_of(profile.best.begin(), profile.best.end(), [&](const auto& bests) {
+        const auto best = bests.find(level.name);
+        return best != bests.end() && best->second.cleared;
+    });
 }
 
 bool isPlayed(const Level& level, const Profile& profile) {
@@ -62,8 +64,10 @@ int medalsOf(const Level& level, const Profile& profile, std::span<const MedalMa
     if (marksFor(level.name, marks) == nullptr) {
         return isWon(level, profile) ? 1 : 0;
     }
-    const std::int32_t best = std::max(profile.bestOf(Mode::Standard, level.name).score,
-                                       profile.bestOf(Mode::Pure, level.name).score);
+    std::int32_t best = 0;
+    for (std::size_t mode = 0; mode < kModeNames.size(); ++mode) {
+        best = std::max(best, profile.bestOf(static_cast<Mode>(mode), level.name).score);
+    }
     return static_cast<int>(medalOf(best, level.name, marks));
 }
 

@@ -133,13 +133,13 @@ void paintShards(Canvas& canvas, const Moment& moment) {
     }
 }
 
-/// Paints the first leg of the serve, with the ball where it touches.
+/// Paints the path of the serve, with the ball at its end.
 void paintAim(Canvas& canvas, const Moment& moment) {
     if (!moment.game.serving() || moment.game.result() != Result::Playing) {
         return;
     }
     constexpr Real kGap = Real(0.55); // m, between two dots
-    const std::vector<Vec2> leg = firstLeg(moment.game);
+    const std::vector<Vec2> leg = servePath(moment.game);
     Real next = kGap * (1 + static_cast<Real>(moment.game.ticks() % 40) / 40); // m, along the leg
     Real walked = 0;
     for (std::size_t i = 1; i < leg.size(); ++i) {

@@ -40,7 +40,7 @@ std::array<Topic, 6> topicsFor(const Bindings& keys) {
                               pad == "-" ? "" : ", or " + pad)},
         {"buildings", "what has fallen counts; a collapse up to eightfold"},
         {"glow", "no hit for long: a pull tears the lowest block off"},
-        {"pure", "rules that never bend a path; scores of their own"},
+        {"modes", "pure never bends a path, assisted slows the ball"},
         {"keys",
          fmt::format("{}: pause  {}: again  {}: sound  F11: full screen", keys.firstKey(Act::Pause),
                      keys.firstKey(Act::Restart), keys.firstKey(Act::Mute))},

@@ -45,8 +45,9 @@ Aabb barAt(Real y) {
 void paintLevel(Canvas& canvas, const Game& game, const HudLook& look) {
     canvas.text("aPart", {kPanelLeft, Real(17.05)}, display(Real(1.15), palette::kAccent));
     canvas.text(look.place, {kPanelLeft, Real(16.0)}, quiet(Real(0.42)));
-    if (game.mode() == Mode::Pure) {
-        canvas.text("PURE", {kPanelLeft, Real(18.1)}, strong(Real(0.42), palette::kAccent));
+    if (game.mode() != Mode::Standard) {
+        canvas.text(game.mode() == Mode::Pure ? "PURE" : "ASSISTED", {kPanelLeft, Real(18.1)},
+                    strong(Real(0.42), palette::kAccent));
     }
     Real y = Real(15.3);
     for (const std::string& line : wrappedInto(2, game.level().title, 12, 18)) {
@@ -67,9 +68,12 @@ void paintScore(Canvas& canvas, const Game& game, const HudLook& look) {
     }
 }
 
-/// Paints the balls: the one in play first and larger, then those in reserve.
+/// Paints the hits, and the balls: the one in play first and larger, then those in reserve.
 void paintLives(Canvas& canvas, const Game& game) {
-    canvas.text("BALLS", {kPanelLeft, Real(11.4)}, quiet(Real(0.42)));
+    canvas.text("BALLS", {kPanelLeft, Real(11.4)},
+                {Real(0.42), palette::kQuiet, Typeface::Plain, Align::Left, Real(2)});
+    canvas.text(countText(game.counts().hits, "hit"), {kPanelRight, Real(11.4)},
+                {Real(0.42), palette::kQuiet, Typeface::Plain, Align::Right, Real(2.6)});
     const int shown = std::min<int>(game.lives(), 8);
     for (int i = 0; i < shown; ++i) {
         const Vec2 center{kPanelLeft + Real(0.28) + Real(0.62) * static_cast<Real>(i), Real(10.8)};
@@ -78,10 +82,10 @@ void paintLives(Canvas& canvas, const Game& game) {
     }
 }
 
-/// Hits so far, and the prize that they leave.
-void paintHits(Canvas& canvas, const Game& game) {
+/// The best blow so far, and its prize.
+void paintBlow(Canvas& canvas, const Game& game) {
     const Real y = Real(9.85);
-    canvas.text(fmt::format("HITS  {}", game.counts().hits), {kPanelLeft, y},
+    canvas.text(fmt::format("BLOW  {}", game.counts().bestBlow), {kPanelLeft, y},
                 {Real(0.42), palette::kQuiet, Typeface::Plain, Align::Left, Real(1.8)});
     canvas.text("prize " + grouped(game.counts().prize()), {kPanelRight, y},
                 {Real(0.42), palette::kAccent, Typeface::Bold, Align::Right, Real(2.8)});
@@ -252,7 +256,7 @@ void paintHud(Canvas& canvas, const Game& game, const HudLook& look) {
     paintLevel(canvas, game, look);
     paintScore(canvas, game, look);
     paintLives(canvas, game);
-    paintHits(canvas, game);
+    paintBlow(canvas, game);
     paintProgress(canvas, game);
     paintMeter(canvas, game);
     paintCombo(canvas, game);

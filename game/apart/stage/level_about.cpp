@@ -20,7 +20,7 @@ namespace {
 constexpr Real kPreviewBelow = Real(5.9);            // m; what stands below needs so much
 constexpr Vec2 kHonoursFrom{Real(0.3), Real(-1.95)}; // m, from the word BEST
 constexpr Real kHonourStep = Real(0.8);
-constexpr Real kPureRight = 5; // m, from the column of the standard rules
+constexpr Real kOtherRight = 5; // m, from the column of the standard rules
 
 std::array<Vec2, 4> cornersOf(const Aabb& box) {
     return {box.lower, Vec2{box.upper.x, box.lower.y}, box.upper, Vec2{box.lower.x, box.upper.y}};
@@ -39,7 +39,9 @@ void paintBest(Canvas& canvas, const AboutLook& look, Mode mode, Vec2 place) {
                        standing.score != kUnreadScore;
     const bool offersMedal = counts && next > 0;
     const bool noted = !standing.note.empty(); // in the place of the next medal
-    canvas.text(mode == Mode::Pure ? "BEST, PURE" : "BEST", place,
+    constexpr std::array<std::string_view, kModeNames.size()> kTitles = {"BEST", "BEST, PURE",
+                                                                         "BEST, ASSISTED"};
+    canvas.text(kTitles[static_cast<std::size_t>(mode)], place,
                 {Real(0.4), counts ? palette::kAccent : palette::kQuiet, Typeface::Plain,
                  Align::Left, offersMedal && noted ? Real(2.2) : Real(4.7)});
     // Larger letters need room above and below the score.
@@ -76,7 +78,7 @@ void paintHonourNames(Canvas& canvas, const AboutLook& look, Vec2 place) {
     for (std::size_t i = kUsualHonours; i < names.size(); ++i) {
         text += (text.empty() ? "" : ", ") + names[i];
     }
-    for (const Real right : {Real(0), kPureRight}) {
+    for (const Real right : {Real(0), kOtherRight}) {
         for (std::size_t i = 0; i < names.size(); ++i) {
             const Vec2 icon =
                 place + kHonoursFrom + Vec2{right + kHonourStep * static_cast<Real>(i), 0};
@@ -131,7 +133,9 @@ void paintAbout(Canvas& canvas, const AboutLook& look) {
     }
     y -= Real(1.1);
     paintBest(canvas, look, Mode::Standard, {kAboutLeft, y});
-    paintBest(canvas, look, Mode::Pure, {kAboutLeft + kPureRight, y});
+    const Mode mode = look.records.profile().mode;
+    paintBest(canvas, look, mode == Mode::Assisted ? mode : Mode::Pure,
+              {kAboutLeft + kOtherRight, y});
     paintHonourNames(canvas, look, {kAboutLeft, y});
 }
 

@@ -19,7 +19,7 @@ enum class Action : std::uint8_t {
     Levels, // the map
     Endless,
     Daily,
-    Mode, // toggles standard and pure
+    Mode, // the next of the modes
     Records,
     Replays,
     Replay, // MenuItem::dial is its index

@@ -4,13 +4,16 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 namespace apart {
 
 namespace {
 
 std::string modeLabel(Mode mode) {
-    return mode == Mode::Pure ? "\u2039  Pure: no path is ever bent  \u203a"
-                              : "\u2039  Standard rules  \u203a";
+    constexpr std::array<std::string_view, kModeNames.size()> kLabels = {
+        "Standard rules", "Pure: no path is ever bent", "Assisted: a slower ball"};
+    return fmt::format("\u2039  {}  \u203a", kLabels[static_cast<std::size_t>(mode)]);
 }
 
 /// An item with the best score of its runs, if one is proved.

@@ -150,7 +150,8 @@ std::string toText(const Profile& profile) {
     for (const Dial& dial : kDials) {
         text += fmt::format("{} = {}\n", dial.key, profile.settings.*dial.value);
     }
-    text += fmt::format("pure = {}\nmuted = {}\n", profile.mode == Mode::Pure, profile.muted);
+    text += fmt::format("pure = {}\nassisted = {}\nmuted = {}\n", profile.mode == Mode::Pure,
+                        profile.mode == Mode::Assisted, profile.muted);
     text += "\n[keys] # two keys and a button of the gamepad\n";
     for (std::size_t i = 0; i < kActs; ++i) {
         const auto act = static_cast<Act>(i);

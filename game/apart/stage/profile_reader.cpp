@@ -51,8 +51,11 @@ public:
                 readKeys(node);
             } else if (key == "statistics") {
                 readTotals(node);
-            } else if (key == kBestTables[0] || key == kBestTables[1]) {
-                readBests(node, profile_.best[key == kBestTables[1] ? 1 : 0]);
+            } else if (const auto table =
+                           std::find(kBestTables.begin(), kBestTables.end(), key.str());
+                       table != kBestTables.end()) {
+                readBests(node,
+                          profile_.best[static_cast<std::size_t>(table - kBestTables.begin())]);
             } else if (key == "reached" && node.is_string()) {
                 profile_.reached = node.as_string()->get();
             } else if (key != "format") {
@@ -100,8 +103,9 @@ private:
             const auto dial =
                 std::find_if(kDials.begin(), kDials.end(),
                              [name = key.str()](const Dial& d) { return d.key == name; });
-            if (key == "pure") {
-                profile_.mode = truth(*table, "pure") ? Mode::Pure : Mode::Standard;
+            if (key == "pure" || key == "assisted") { // false is the default of both
+                const Mode mode = key == "pure" ? Mode::Pure : Mode::Assisted;
+                profile_.mode = truth(*table, key.str()) ? mode : profile_.mode;
             } else if (key == "muted") {
                 profile_.muted = truth(*table, "muted");
             } else if (dial != kDials.end()) {

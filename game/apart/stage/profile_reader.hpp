@@ -12,7 +12,8 @@
 namespace apart {
 
 /// Tables of the best scores in a profile file, by Mode.
-inline constexpr std::array<const char*, kModeNames.size()> kBestTables = {"best", "best-pure"};
+inline constexpr std::array<const char*, kModeNames.size()> kBestTables = {"best", "best-pure",
+                                                                           "best-assisted"};
 
 /// What can be read of a profile. A wrong item is replaced by its default, and named.
 struct SalvagedProfile {

@@ -129,7 +129,9 @@ ShowEntry entryOf(const std::filesystem::path& file, const LevelList& levels) {
     }
     const Replay& end = run->back();
     entry.title = (last ? "Last game: " : "") + titleOf(file, *run, levels) +
-                  (end.mode == Mode::Pure ? " (pure)" : "");
+                  (end.mode == Mode::Standard
+                       ? ""
+                       : fmt::format(" ({})", kModeNames[static_cast<std::size_t>(end.mode)]));
     entry.score = scoreOf(*run);
     if (const std::optional<std::int64_t> result = atEnd(end, Field::Result)) {
         constexpr std::array<std::string_view, 3> kWords = {"left", "won", "lost"};

@@ -41,7 +41,10 @@ void paintScoreLines(Canvas& canvas, const ResultsLook& look) {
     }
     if (look.game.result() == Result::Won) {
         line("left", countText(look.game.lives(), "ball"), run.points.lives);
-        line("prize", fmt::format("divided by {}", countText(look.game.counts().hits, "hit")),
+        const std::int32_t blow = look.game.counts().bestBlow;
+        line("prize",
+             fmt::format("best blow: {}, {} left", countText(blow, "block"),
+                         look.game.blocksAtStart() - blow),
              run.points.prize);
     }
     if (run.points.spared > 0) {

@@ -13,7 +13,7 @@ struct ScoreParts {
     std::int32_t fallen = 0; // blocks that fell, of buildings times those of the same collapse
     std::int32_t caught = 0; // parts
     std::int32_t lives = 0;  // balls left at the end
-    std::int32_t prize = 0;  // for few hits
+    std::int32_t prize = 0;  // for the best blow
     std::int32_t spared = 0; // Level::keep
 
     std::int32_t sum() const { return broken + fallen + caught + lives + prize + spared; }

@@ -39,7 +39,9 @@ bool anything(const Signals& signals) {
 /// Checks the scores of the chosen level first, then all others.
 void checkScores(Records& records, const LevelList& levels, std::size_t chosen) {
     const Mode mode = records.profile().mode;
-    records.checkFirst(mode == Mode::Pure ? Mode::Standard : Mode::Pure, levels[chosen]->name);
+    for (Mode each = next(mode); each != mode; each = next(each)) {
+        records.checkFirst(each, levels[chosen]->name);
+    }
     records.checkFirst(mode, levels[chosen]->name);
     for (const auto& level : levels) {
         records.checkLast(mode, level->name);
@@ -320,7 +322,7 @@ void Stage::act(const MenuOutcome& outcome) {
         help_.emplace(profile().audible());
         return open(Screen::Help, helpMenu());
     case Action::Mode:
-        records_.profile().mode = profile().mode == Mode::Pure ? Mode::Standard : Mode::Pure;
+        records_.profile().mode = apart::next(profile().mode);
         level_ = map_.nextLevel(records_);
         records_.checkFirst(profile().mode, dailyKey(offer().today));
         records_.checkFirst(profile().mode, kEndlessKey);

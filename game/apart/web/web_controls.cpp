@@ -312,14 +312,14 @@ void WebControls::pollPad() {
         const auto down = [&](int i) { return i < pad.numButtons && pad.digitalButton[i]; };
         return static_cast<float>((down(high) ? 1 : 0) - (down(low) ? 1 : 0));
     };
-    for (unsigned button = 0; button < 8; ++button) {
-        if (((held & ~padButtons_) >> button & 1u) != 0) {
-            pressed_ = true;
-            keys_.pressButton(button, signals_);
-        }
-    }
-    padButtons_ = held;
-    keys_.take({static_cast<float>(pad.axis[0]), axis(14, 15), axis(12, 13), held}, signals_);
+    const std::size_t before = signals_.presses.size();
+    keys_.take({.stickX = static_cast<float>(pad.axis[0]),
+                .stickY = pad.numAxes > 1 ? static_cast<float>(pad.axis[1]) : 0.0f,
+                .padX = axis(14, 15),
+                .padY = axis(12, 13),
+                .held = held},
+               signals_);
+    pressed_ = pressed_ || signals_.presses.size() > before;
 }
 
 } // namespace apart

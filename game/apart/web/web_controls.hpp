@@ -70,7 +70,6 @@ private:
     Vec2 pointer_;      // m
     float density_ = 1; // pixels of the picture for one of the page
     float turned_ = 0;  // pixels
-    std::uint32_t padButtons_ = 0;
 };
 
 /// The key of kKeyNames for the `code` of a keyboard event, or kNoKey.
