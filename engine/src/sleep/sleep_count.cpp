@@ -88,7 +88,8 @@ void SleepSystem::countCalm(Bodies& bodies, const StepSettings& settings,
     for (const std::uint32_t body : bodies.awake) {
         SleepState& rest = bodies.sleep[body];
         const BodyGeometry& geometry = bodies.geometry(body);
-        const Real energy = kineticEnergy(bodies.motion[body], geometry.mass);
+        const BodyVelocity& motion = bodies.motion[body];
+        const Real energy = kineticEnergy(motion, geometry.mass);
         const bool calm =
             (bodies.filter[body].flags & kNeverSleep) == 0 &&
             energy <= energyOfForces(bodies.acceleration[body], geometry.mass, dt) &&
@@ -96,13 +97,12 @@ void SleepSystem::countCalm(Bodies& bodies, const StepSettings& settings,
         if (calm) {
             ++rest.calmSteps;
             rest.leastEnergy = std::min(rest.leastEnergy, energy);
-            if (rest.calmSteps % interval == 0) {
-                const BodyVelocity& motion = bodies.motion[body];
-                rest.samples[1] = rest.samples[0];
-                rest.samples[0] = {motion.velocity, motion.angularVelocity};
-            }
         } else {
             restartCount(rest, bodies.pose[body]);
+        }
+        if (rest.calmSteps % interval == 0) {
+            rest.samples[1] =
+                std::exchange(rest.samples[0], {motion.velocity, motion.angularVelocity});
         }
         if (rest.calmSteps >= enough && !bodies.locked(body)) {
             calm_.push_back(body);
@@ -173,7 +173,7 @@ void SleepSystem::holdMoving(Bodies& bodies, std::uint32_t enough, const Toleran
         if (now - std::sqrt(rest.leastEnergy) > noise) {
             restartCount(rest, bodies.pose[body]);
             leastCalm_[root] = 0;
-        } else if (changed > noise && rest.calmSteps > 1) {
+        } else if (changed > noise) {
             rest.calmSteps = enough - sampleInterval(enough);
             leastCalm_[root] = 0;
         }
