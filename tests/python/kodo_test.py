@@ -229,6 +229,16 @@ class Errors(unittest.TestCase):
         with self.assertRaises(TypeError):
             world.add_joint(box)
 
+    def test_sentences_name_things_as_this_module_does(self):
+        world, (box, other, *_) = falling_boxes()
+        far = kodo.RevoluteJoint(a=box.id, b=other.id, anchor_a=(1e30, 0))
+        with self.assertRaisesRegex(kodo.BadDefinition, "^ends.anchor_a: x must be"):
+            world.add_joint(far)
+        with self.assertRaisesRegex(kodo.BadDefinition, "motor_torque: must be"):
+            world.add_joint(kodo.RevoluteJoint(a=box.id, b=other.id, motor_torque=-1))
+        with self.assertRaisesRegex(kodo.BadDefinition, "at most MAX_COORDINATE"):
+            world.explode((0, 0), radius=1e30)
+
     def test_values_of_a_wrong_kind_are_told_with_the_value(self):
         world, (box, *_) = falling_boxes()
         with self.assertRaisesRegex(TypeError, r"two numbers, \(x, y\), but is 3$"):

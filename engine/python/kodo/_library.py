@@ -6,6 +6,7 @@ import ctypes
 import ctypes.util
 import os
 import pathlib
+import re
 import sys
 
 from .errors import ERRORS, OtherError
@@ -53,10 +54,22 @@ Real = ctypes.c_float if REAL_SIZE == 4 else ctypes.c_double
 REAL_CODE: str = "f" if REAL_SIZE == 4 else "d"
 
 
+_CONSTANT = re.compile(r"\bk(?=[A-Z])(\w+)")
+_NAME = re.compile(r"\b[a-z]+(?:[A-Z][a-z]*)+\b")
+_HUMP = re.compile(r"(?<=[a-z])(?=[A-Z])")
+
+
+def in_python(sentence: str) -> str:
+    """A sentence of the engine with its names as this module writes them: motor_speed, LOCK_MOVE."""
+    sentence = _CONSTANT.sub(lambda k: _HUMP.sub("_", k[1]).upper(), sentence)
+    sentence = _NAME.sub(lambda name: _HUMP.sub("_", name[0]).lower(), sentence)
+    return sentence.replace("::", ".")
+
+
 def check(status: int) -> None:
     """Raises the exception of a status, with the sentence of the library."""
     if status != 0:
-        text = library.kodo_errorText().decode("utf-8", "replace")
+        text = in_python(library.kodo_errorText().decode("utf-8", "replace"))
         raise ERRORS.get(status, OtherError)(text)
 
 
