@@ -130,6 +130,57 @@ TEST(LongArm, LimitsOfARevoluteJointAddNoEnergy) {
     }
 }
 
+/// Two small boxes on a static post, each hinged `arm` m from its centre, with limits of 0.7 rad.
+/// The outer one has `load` times the mass of the inner one; both turn at `spin` rad/s.
+struct LimitedArms {
+    World world;
+    std::vector<JointId> pins;
+
+    LimitedArms(const StepSettings& settings, Real arm, Real load, Real spin)
+        : world({.settings = settings}) {
+        BodyId before = world.add({.shape = Box{1, 1}, .type = BodyType::Static});
+        for (const int link : {1, 2}) {
+            const BodyId box = world.add({.shape = Box{0.2f, 0.2f},
+                                          .position = {static_cast<Real>(link) * arm, 0},
+                                          .velocity = {0, static_cast<Real>(link) * arm * spin},
+                                          .angularVelocity = spin,
+                                          .density = link == 1 ? Real(1) : load,
+                                          .flags = kDisabled});
+            pins.push_back(
+                world.add(RevoluteJoint{.ends = {.a = before, .b = box, .anchorB = {-arm, 0}},
+                                        .limits = Range{-0.7f, 0.7f}}));
+            before = box;
+        }
+    }
+};
+
+// F1: two links that are much longer than they are wide swing from limit to limit for 5 s and gain
+// no energy. Regression: the limit of the second pin saw the first box spin about its own centre,
+// and the energy grew by a factor of 1e9. A heavier outer link still gains.
+TEST(LongArm, LimitsOfTwoLinksInARowAddNoEnergyWithThesis2006) {
+    for (const int rate : {30, 60, 120, 240}) {
+        for (const Real arm : {Real(0.3), Real(1), Real(2)}) {
+            for (const Real load : {Real(0.01), Real(0.1), Real(1)}) {
+                for (const Real spin : {Real(2), Real(-5)}) {
+                    SCOPED_TRACE(testing::Message() << rate << " Hz, arms of " << arm << " m, load "
+                                                    << load << ", spin " << spin);
+                    LimitedArms arms(thesis2006(), arm, load, spin);
+                    const auto energy = [&] { return support::totalsOf(arms.world).kinetic; };
+                    const auto start = energy();
+                    Real angle = 0; // rad, largest of the inner pin
+                    for (int step = 0; step < 5 * rate; ++step) {
+                        arms.world.step(1 / static_cast<Real>(rate));
+                        ASSERT_LT(energy(), Real(1.03) * start) << "step " << step;
+                        angle =
+                            std::max(angle, std::abs(arms.world.jointState(arms.pins[0]).angle));
+                    }
+                    EXPECT_GT(angle, Real(0.69)) << "no limit was reached";
+                }
+            }
+        }
+    }
+}
+
 // F1: a body that can only turn, on a slider whose motor cannot move it, stays at rest.
 // Regression: with the angle held nothing moves along the axis, and the impulse was 0 / 0.
 TEST(LongArm, ASliderCannotMoveABodyThatOnlyTurns) {

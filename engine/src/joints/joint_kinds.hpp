@@ -185,15 +185,16 @@ private:
 
     void spring(AxisConstraint axis, std::size_t slot, Real error, const Softness& softness) {
         axis.softness = softness;
-        const Real most = mostError(softness);
-        axis.error = std::clamp(error, -most, most);
+        axis.beside.held = false; // SpringRates bounds rows of springs as if they were solved so
+        axis.error = std::clamp(error, -mostError(softness), mostError(softness));
         visit_(axis, joint_.axes[slot], Relax::Done);
     }
 
     /// An angular constraint that accounts for the point solved right after it.
     AxisConstraint angularBeside(const PointConstraint& point) const {
         AxisConstraint axis = angular();
-        axis.beside = {&point, joint_.point, pass_.biased};
+        const bool held = pass_.exact && pass_.errors == ErrorRemoval::ByDisplacement;
+        axis.beside = {&point, &joint_.point, pass_.biased, held};
         return axis;
     }
 

@@ -151,6 +151,11 @@ void AxisConstraint::solve(BodyVelocity& a, BodyVelocity& b, Real& impulse, bool
     const Real change = missing(a, b, impulse, biased);
     impulse += change;
     apply(a, b, change);
+    if (beside.held) {
+        const Vec2 reaction = beside.point->reaction(a, b, leverB * change);
+        beside.point->apply(a, b, reaction);
+        *beside.impulse += reaction;
+    }
 }
 
 Real AxisConstraint::give(const BodyVelocity& a, const BodyVelocity& b, bool biased) const {
@@ -184,7 +189,7 @@ Real AxisConstraint::missing(const BodyVelocity& a, const BodyVelocity& b, Real 
     if (const PointConstraint* point = beside.point) {
         const Vec2 u =
             leverA * a.invInertia * perp(point->armA) + leverB * b.invInertia * perp(point->armB);
-        now += dot(u, point->missing(a, b, beside.impulse, beside.biased));
+        now += dot(u, point->missing(a, b, *beside.impulse, beside.biased));
     }
     const Real k = give(a, b, biased);
     if (!(k > 0)) {
