@@ -42,12 +42,15 @@ struct Flight {
     Vec2 boost{}; // m/s, of both bodies
     Real restitution = 0;
     bool freeTarget = false;
+    bool kinematic = false; // the target, also at rest
 };
 
 struct Flown {
     Real change = 0;  // m/s, of the velocity of any point, roughly
     Real impulse = 0; // N s per kg
     int records = 0;
+
+    friend bool operator==(const Flown&, const Flown&) = default;
 };
 
 Flown fly(const Flyer& flyer, const Flight& flight) {
@@ -55,9 +58,9 @@ Flown fly(const Flyer& flyer, const Flight& flight) {
     const Material material{.restitution = flight.restitution};
     BodyDef target = support::boxDef(flight.place, 1, 1, material);
     target.velocity = flight.boost;
-    target.type = flight.freeTarget                ? BodyType::Dynamic
-                  : length(flight.boost) > Real(0) ? BodyType::Kinematic
-                                                   : BodyType::Static;
+    target.type = flight.freeTarget                                    ? BodyType::Dynamic
+                  : flight.kinematic || length(flight.boost) > Real(0) ? BodyType::Kinematic
+                                                                       : BodyType::Static;
     world.add(target);
     const Real dt = 1 / static_cast<Real>(flight.rate);
     const Real way = Real(2.5) + (2 + flight.phase) * flight.speed * dt;
@@ -140,6 +143,27 @@ TEST(Passing, IsTheSameMirroredFarAwayAndFromAMovingFrame) {
             flight.freeTarget = true;
             flight.restitution = Real(0.5);
             expectUntouched(flyer, flight);
+        });
+    }
+}
+
+// A kinematic body at rest is a static one, bit for bit: in a miss, a graze and a hit.
+TEST(Passing, IsTheSameAtAStaticAndAtAKinematicTarget) {
+    for (const Flyer& flyer : flyers()) {
+        forEachFlight([&](Flight flight) {
+            for (const Real clearance : {Real(0.003), Real(-0.002), Real(-1.5) * flyer.below}) {
+                for (const Real restitution : {Real(0), Real(0.5)}) {
+                    flight.clearance = clearance;
+                    flight.restitution = restitution;
+                    flight.kinematic = false;
+                    const Flown fixed = fly(flyer, flight);
+                    flight.kinematic = true;
+                    EXPECT_EQ(fly(flyer, flight), fixed)
+                        << flyer.name << ", " << flight.rate << " Hz, clearance " << clearance
+                        << ", speed " << flight.speed << ", phase " << flight.phase
+                        << ", restitution " << restitution;
+                }
+            }
         });
     }
 }

@@ -2,6 +2,7 @@
 // Resting (5.2) and the body slightly off its balance (fig. 5.3).
 #include <kodo/step_stats.hpp>
 #include <support/scenes.hpp>
+#include <support/tipping.hpp>
 
 #include <cmath>
 
@@ -19,25 +20,13 @@ using kodo::World;
 using support::kDt;
 using support::kEarth;
 
-constexpr double kWidth = 0.4;  // m, of the tipping box
-constexpr double kHeight = 2;   // m
-constexpr double kFallen = 0.5; // rad from the balance: where its time is taken
+constexpr double kWidth = 0.4; // m, of the tipping box
+constexpr double kHeight = 2;  // m
 
-/// s, from `off` (rad) at rest to kFallen, of a box that turns about its corner:
-/// (I + m r^2) a'' = m g r sin a, by small steps of leapfrog.
-double tippingTime(double off) {
-    const double square = (kWidth * kWidth + kHeight * kHeight) / 4;
-    const double rate = 10 * std::sqrt(square) / (4 * square / 3); // 1/s^2; I = m r^2 / 3
-    double angle = off;
-    double speed = 0;
-    double time = 0;
-    const double h = 1e-5;
-    for (; angle < kFallen; time += h) {
-        angle += h / 2 * speed;
-        speed += h * rate * std::sin(angle);
-        angle += h / 2 * speed;
-    }
-    return time;
+/// 1/s^2, of the box that turns about its corner, with I = m r^2 / 3; see support::fallTime().
+double tippingRate() {
+    const double square = (kWidth * kWidth + kHeight * kHeight) / 4; // r^2
+    return 10 * std::sqrt(square) / (4 * square / 3);
 }
 
 struct Tipping {
@@ -64,7 +53,7 @@ Tipping tip(const kodo::StepSettings& settings, double off) {
         const double turned = std::atan2(static_cast<double>(world[box].rotation().s),
                                          static_cast<double>(world[box].rotation().c)) -
                               balance;
-        if (result.time == 0 && turned > kFallen) {
+        if (result.time == 0 && turned > support::kFallen) {
             result.time = step / 60.0;
         }
         const bool upright = world[box].rotation().c > Real(0.1);
@@ -91,7 +80,7 @@ void addTipping(std::vector<Experiment>& book) {
                 .atMost(0, "0: no; it moves, however slowly");
             one.add(by + "lies flat and sleeps in the end", profile.name, tipping.lies ? 1 : 0)
                 .near(1, 0, "1: yes");
-            const double exact = tippingTime(off);
+            const double exact = support::fallTime(off, tippingRate());
             one.add(by + "time until it is half a radian off", profile.name, tipping.time, "s")
                 .near(exact, 0.03 * exact + 1.0 / 60,
                       "a pendulum upside down about the corner; 3 % and a step");
