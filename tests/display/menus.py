@@ -15,6 +15,7 @@ from virtual_screen import Program, Screen, check, judged, skip_without_tools, w
 SCALE = 1280 / 31.2
 MIDDLE_Y = 9.25
 ROW = 0.98  # m, between items of a menu
+TITLE_TOP = 11.48  # m, of the first item on the title screen
 IDEA = "600x60+200+95"  # area of a level's idea, which vanishes with the serve
 
 
@@ -49,7 +50,7 @@ def start(screen, apart, *options):
 
 
 def wait_for_title(game):
-    game.wait_until_drawn(area_of_item(10.5, 0))
+    game.wait_until_drawn(area_of_item(TITLE_TOP, 0))
 
 
 def to_title(game):
@@ -66,23 +67,23 @@ def leave(game):
 def first_run(screen, apart, report, profile):
     with start(screen, apart, "--seed", "1") as game:
         wait_for_title(game)
-        after(game, "levels", lambda: game.click(*item(10.5, 1)))
+        after(game, "levels", lambda: game.click(*item(TITLE_TOP, 1)))
         keep(game, report, "levels")
         after(game, "title", lambda: game.click(*at(-13, 0.7)))
         keep(game, report, "title")
         check("level select and back, by mouse", True)
-        after(game, "options", lambda: game.click(*item(10.5, 7)))
+        after(game, "options", lambda: game.click(*item(TITLE_TOP, 8)))
         keep(game, report, "options")
         x, y = at(1.75, 13.2 - 0.45)  # the middle of the sound bar
         after(game, "the bar", lambda: game.click(x, y), 100, f"26x10+{x + 3}+{y - 5}")
         after(game, "title", lambda: game.key("Escape"))
         wait_until("the settings are written", profile.exists)
         check("a click on a bar turns it: half the sound", "sound = 50" in profile.read_text())
-        after(game, "play", lambda: game.click(*item(10.5, 0)))
+        after(game, "play", lambda: game.click(*item(TITLE_TOP, 0)))
         keep(game, report, "play")
         check("play, by mouse", True)
         to_title(game)
-        code, output = game.end_by(lambda: game.click(*item(10.5, 8)))
+        code, output = game.end_by(lambda: game.click(*item(TITLE_TOP, 9)))
         check(f"quit, by mouse: exit code {code}", code == 0 and output.strip() == "")
 
 
@@ -110,7 +111,7 @@ def bound_run(screen, apart, report, profile):
         after(game, "a key is bound", lambda: game.key("x"), 100, cell)
         after(game, "options", lambda: game.key("Escape"))
         after(game, "title", lambda: game.key("Escape"))
-        after(game, "play", lambda: game.click(*item(10.5, 0)))
+        after(game, "play", lambda: game.click(*item(TITLE_TOP, 0)))
         game.wait_until_drawn(IDEA)
         game.key("space")  # not bound any more
         after(game, "serve", lambda: game.key("x"), 1500, IDEA)

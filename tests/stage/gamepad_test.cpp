@@ -17,7 +17,7 @@ constexpr std::uint32_t kLeftShoulder = 1u << 4;
 /// The signals of one frame.
 Signals after(HeldKeys& keys, const Pad& pad) {
     Signals signals;
-    keys.take(pad, signals);
+    keys.take({pad}, signals);
     return signals;
 }
 
@@ -82,7 +82,7 @@ struct PadRig : StageRig {
     PadRig() : StageRig(StageRig::twoLevels()) {}
     void hold(const Pad& pad) {
         Signals signals;
-        keys.take(pad, signals);
+        keys.take({pad}, signals);
         frame(signals);
     }
     void tap(const Pad& pad) {

@@ -59,6 +59,8 @@ std::optional<Command> fixedCommand(int key, bool inGame) {
     return holds ? std::optional(found->command) : std::nullopt;
 }
 
+constexpr int kSecondServe = keyOf("enter"); // of the second of two players
+
 constexpr float kDeadZone = 0.2f;   // share of the way of a stick
 constexpr float kTiltBegins = 0.6f; // likewise, in a menu
 constexpr float kTiltEnds = 0.4f;
@@ -88,6 +90,8 @@ void HeldKeys::press(int key, Signals& signals) {
     if (key >= 0 && static_cast<std::size_t>(key) < held_.size()) {
         held_[static_cast<std::size_t>(key)] = true;
     }
+    signals.seats[0].serves |= bindings_.actOf({false, key}) == Act::Serve;
+    signals.seats[1].serves |= key == kSecondServe;
     give({false, key}, fixedCommand(key, inGame_), signals);
 }
 
@@ -144,32 +148,68 @@ void HeldKeys::tilt(const Pad& pad, Signals& signals) {
     }
 }
 
-void HeldKeys::take(const Pad& pad, Signals& signals) {
+/// The buttons of a gamepad that are held, with its triggers as shoulders.
+static std::uint32_t heldOf(const Pad& pad) {
+    std::uint32_t held = pad.held;
+    for (std::size_t side = 0; side < pad.triggers.size(); ++side) {
+        held |= pad.triggers[side] > kTriggerPulled ? 1u << (kShoulder + side) : 0u;
+    }
+    return held;
+}
+
+void HeldKeys::addPad(const Pad& pad, PaddleSignals& signals) const {
     const Real x = beyondDeadZone(pad.padX);
     signals.stick = x != 0 ? x : beyondDeadZone(pad.stickX);
-    std::uint32_t pressed = pad.held;
-    for (std::size_t side = 0; side < pad.triggers.size(); ++side) {
-        pressed |= pad.triggers[side] > kTriggerPulled ? 1u << (kShoulder + side) : 0u;
-    }
-    pressButtons(pressed, signals);
-    const auto held = [&](Act act) {
+    const auto held = [&, all = heldOf(pad)](Act act) {
         const int button = bindings_.at(act, Bindings::kPadColumn);
-        return button >= 0 && (pressed >> button & 1u) != 0;
+        return button >= 0 && (all >> button & 1u) != 0;
     };
     signals.pullHeld = signals.pullHeld || held(Act::Pull);
     signals.pushHeld = signals.pushHeld || held(Act::Push);
     signals.serveHeld = signals.serveHeld || held(Act::Serve);
+}
+
+void HeldKeys::take(const std::array<Pad, kSeats>& pads, Signals& signals) {
+    for (std::size_t i = 0; i < kSeats; ++i) {
+        SeatSignals& seat = signals.seats[i];
+        const bool byKey = std::exchange(seat.serveHeld, false);
+        addPad(pads[i], seat);
+        const bool before = std::exchange(serveHeld_[i], seat.serveHeld);
+        seat.serves |= seat.serveHeld && !before;
+        seat.serveHeld |= byKey;
+    }
+    const Pad pad = pads[0].joined(pads[1]);
+    addPad(pad, signals);
+    pressButtons(heldOf(pad), signals);
     tilt(pad, signals);
 }
 
-bool HeldKeys::holds(Act act) const {
-    for (std::size_t column = 0; column < Bindings::kPadColumn; ++column) {
-        const int key = bindings_.at(act, column);
-        if (key >= 0 && held_[static_cast<std::size_t>(key)]) {
-            return true;
-        }
+bool HeldKeys::holds(Act act, std::size_t column) const {
+    const int key = bindings_.at(act, column);
+    return key >= 0 && held_[static_cast<std::size_t>(key)];
+}
+
+void HeldKeys::addColumn(std::size_t column, PaddleSignals& signals) const {
+    signals.leftHeld |= holds(Act::Left, column);
+    signals.rightHeld |= holds(Act::Right, column);
+    signals.pullHeld |= holds(Act::Pull, column);
+    signals.pushHeld |= holds(Act::Push, column);
+}
+
+void HeldKeys::addHeld(const std::array<bool, 2>& buttons, Signals& signals) const {
+    bool serve = buttons[0];
+    for (std::size_t i = 0; i < kSeats; ++i) {
+        addColumn(kColumnOfSeat[i], signals);
+        addColumn(kColumnOfSeat[i], signals.seats[i]);
+        serve |= holds(Act::Serve, kColumnOfSeat[i]);
     }
-    return false;
+    for (PaddleSignals* mouse :
+         {static_cast<PaddleSignals*>(&signals), static_cast<PaddleSignals*>(&signals.seats[0])}) {
+        mouse->pullHeld |= buttons[0];
+        mouse->pushHeld |= buttons[1];
+        mouse->serveHeld |= serve;
+    }
+    signals.seats[1].serveHeld |= held_[static_cast<std::size_t>(kSecondServe)];
 }
 
 } // namespace apart

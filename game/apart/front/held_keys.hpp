@@ -33,13 +33,16 @@ public:
     void press(int key, Signals& signals);
     void release(int key);
     void releaseAll() { held_ = {}; }
-    /// The gamepad, once a frame. Buttons that were not held before are pressed. A tilt moves a
-    /// menu once.
-    void take(const Pad& pad, Signals& signals);
-    /// True while a key of the act is held.
-    bool holds(Act act) const;
+    /// The gamepads of two players, once a frame. In menus, and for one player, they are as one.
+    /// Buttons that were not held before are pressed. A tilt moves a menu once.
+    void take(const std::array<Pad, kSeats>& pads, Signals& signals);
+    /// Adds the keys that are held, and the left and the right button of the mouse.
+    void addHeld(const std::array<bool, 2>& buttons, Signals& signals) const;
 
 private:
+    bool holds(Act act, std::size_t column) const;
+    void addColumn(std::size_t column, PaddleSignals& signals) const;
+    void addPad(const Pad& pad, PaddleSignals& signals) const;
     void give(Press press, std::optional<Command> fixed, Signals& signals) const;
     void pressButtons(std::uint32_t held, Signals& signals);
     void tilt(const Pad& pad, Signals& signals);
@@ -47,8 +50,9 @@ private:
     Bindings bindings_;
     std::array<bool, kKeyNames.size()> held_{};
     bool inGame_ = false;
-    std::array<int, 2> tilt_{};     // -1, 0 or 1 along x and y, of the gamepad
-    std::uint32_t buttonsHeld_ = 0; // of the gamepad
+    std::array<int, 2> tilt_{};            // -1, 0 or 1 along x and y, of the gamepad
+    std::uint32_t buttonsHeld_ = 0;        // of the gamepad
+    std::array<bool, kSeats> serveHeld_{}; // by the gamepad of a player
 };
 
 } // namespace apart

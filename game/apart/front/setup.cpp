@@ -227,6 +227,10 @@ std::variant<StageDef, std::string> setUp(const StartOptions& options) {
     if (!problem.empty()) {
         return problem;
     }
+    def.duel = options.duel;
+    if (def.duel && (def.firstDay > 0 || def.firstEndless > 0)) {
+        return "A duel is one level long: not daily or endless.";
+    }
     if (picture && !def.show) {
         def.pilot = def.bot;
         def.startAtOnce = true;

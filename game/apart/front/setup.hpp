@@ -18,6 +18,7 @@ struct StartOptions {
     std::string ghost;                 // file or link of a rival's replay; empty: none
     std::string edit;                  // file of a level to edit; empty: none
     bool allLevels = false;            // of the map are open
+    bool duel = false;                 // two players, in the first level unless one is named
     bool picture = false;              // the bot plays, and no profile is read
 };
 

@@ -121,7 +121,9 @@ int play(StageDef def, const Options& options) {
         }
         canvas.setSize(window.size());
         stage.draw(canvas);
-        inspector.draw(canvas, shownBy(stage));
+        if (stage.screen() != Screen::Duel) { // its fields are smaller
+            inspector.draw(canvas, shownBy(stage));
+        }
         controls.capture(!stage.wantsPointer());
         window.show(canvas.picture(), kBlack);
     }

@@ -41,6 +41,9 @@ std::variant<Options, int> parseOptions(int argc, char** argv) {
                    "Address of a page of the game, for links that are copied; none unless given");
     auto* edit = app.add_option("--edit", options.edit,
                                 "Edit the level of this file .toml, which need not exist");
+    auto* duel =
+        app.add_flag("--duel", options.duel,
+                     "Start with two players at this screen, each with a game of the level");
     app.add_flag("--all-levels", options.allLevels, "All levels of the map are open");
     app.add_flag("--mute", options.mute, "No sound");
     auto* shot = app.add_option("--screenshot", options.screenshot,
@@ -66,6 +69,7 @@ std::variant<Options, int> parseOptions(int argc, char** argv) {
     app.add_flag("--probe-display", options.probeDisplay,
                  "Report by the exit code whether a window can be opened: 0 yes, 3 no");
     ghost->excludes(replay)->excludes(edit);
+    duel->excludes(replay)->excludes(edit)->excludes(ghost);
     edit->excludes(replay)->excludes(shot)->excludes(frames);
     app.get_option("--level")->excludes(replay)->excludes(edit);
     app.get_option("--seed")->excludes(replay);

@@ -26,10 +26,11 @@ kodo_draw::Pixel pixelOf(sf::Vector2i place) {
 
 } // namespace
 
-/// All gamepads as one.
+/// The first gamepad is that of the first player; all others are as one.
 void SfmlControls::pollPad(Signals& signals) {
     using sf::Joystick;
-    Pad all;
+    std::array<Pad, kSeats> pads;
+    std::size_t seat = 0;
     for (unsigned i = 0; window_.hasFocus() && i < Joystick::Count; ++i) {
         if (!Joystick::isConnected(i)) {
             continue;
@@ -43,9 +44,10 @@ void SfmlControls::pollPad(Signals& signals) {
         for (unsigned button = 0; button < static_cast<unsigned>(kMostButtons); ++button) {
             pad.held |= Joystick::isButtonPressed(i, button) ? 1u << button : 0u;
         }
-        all = all.joined(pad);
+        pads[seat] = pads[seat].joined(pad);
+        seat = kSeats - 1;
     }
-    keys_.take(all, signals);
+    keys_.take(pads, signals);
 }
 
 Signals SfmlControls::poll() {
@@ -53,11 +55,7 @@ Signals SfmlControls::poll() {
     while (const std::optional<sf::Event> event = window_.nextEvent()) {
         take(*event, signals);
     }
-    signals.leftHeld = keys_.holds(Act::Left);
-    signals.rightHeld = keys_.holds(Act::Right);
-    signals.pullHeld = keys_.holds(Act::Pull) || buttons_[0];
-    signals.pushHeld = keys_.holds(Act::Push) || buttons_[1];
-    signals.serveHeld = keys_.holds(Act::Serve) || buttons_[0];
+    keys_.addHeld(buttons_, signals);
     signals.pointerNow = pointer_;
     signals.dragging = dragging_ && !captured_;
     pollPad(signals);

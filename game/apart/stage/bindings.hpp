@@ -78,6 +78,10 @@ struct Bindings {
     friend bool operator==(const Bindings&, const Bindings&) = default;
 };
 
+/// Of two players at one screen, each has a column of keys: the first one the second column (A and
+/// D unless bound otherwise), whose keys lie at the left.
+inline constexpr std::array<std::size_t, 2> kColumnOfSeat = {1, 0};
+
 /// True for keys that always have their meaning, and cannot be bound: escape, enter, F3, F11.
 bool isReserved(int key);
 /// True if the act can have a button: a stick moves the paddle.

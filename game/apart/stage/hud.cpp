@@ -32,12 +32,6 @@ TextStyle display(Real height, Color color = palette::kText) {
     return {height, color, Typeface::Display, Align::Left};
 }
 
-void paintBar(Canvas& canvas, const Aabb& where, Real share, Color color) {
-    const Real right = where.lower.x + std::clamp(share, Real(0), Real(1)) * where.extent().x;
-    canvas.rectangle(where, {255, 255, 255, 26}, {255, 255, 255, 26});
-    canvas.rectangle({where.lower, {right, where.upper.y}}, darker(color, 0.15f), color);
-}
-
 Aabb barAt(Real y) {
     return {{kPanelLeft, y}, {kPanelRight, y + Real(0.22)}};
 }
@@ -164,6 +158,24 @@ void paintFoot(Canvas& canvas, const HudLook& look) {
 }
 
 } // namespace
+
+void paintBar(Canvas& canvas, const Aabb& where, Real share, Color color) {
+    const Real right = where.lower.x + std::clamp(share, Real(0), Real(1)) * where.extent().x;
+    canvas.rectangle(where, {255, 255, 255, 26}, {255, 255, 255, 26});
+    canvas.rectangle({where.lower, {right, where.upper.y}}, darker(color, 0.15f), color);
+}
+
+void paintQuestion(Canvas& canvas, std::string_view question, Real bottom) {
+    constexpr std::size_t kShort = 40; // letters
+    if (!question.empty()) {
+        const Real half = question.size() > kShort ? Real(11.5) : Real(5.5);
+        canvas.rectangle({{-half, bottom}, {half, bottom + Real(1.1)}}, faded(palette::kInk, 0.9f),
+                         faded(palette::kInk, 0.9f));
+        canvas.text(
+            question, {0, bottom + Real(0.35)},
+            {Real(0.6), palette::kAccent, Typeface::Bold, Align::Middle, 2 * half - Real(0.4)});
+    }
+}
 
 std::string grouped(int number) {
     std::string digits = std::to_string(number);

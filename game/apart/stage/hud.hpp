@@ -28,6 +28,12 @@ void paintHud(Canvas& canvas, const Game& game, const HudLook& look);
 /// Level hint and serve instructions, shown while a ball rides on the paddle.
 void paintServeHint(Canvas& canvas, const Game& game, const Bindings& keys);
 
+/// A bar that is filled from the left, 0..1.
+void paintBar(Canvas& canvas, const Aabb& where, Real share, Color color);
+
+/// A question to the player, if there is one; `bottom`: lower edge, m.
+void paintQuestion(Canvas& canvas, std::string_view question, Real bottom);
+
 /// 12345 -> "12 345".
 std::string grouped(int number);
 

@@ -22,7 +22,7 @@ constexpr kodo::Real kReach = kFieldWidth / 2 - kPaddleHalfWidth;
 
 } // namespace
 
-void InputMapper::take(const Signals& signals, kodo::Real paddleX, kodo::Real speed) {
+void InputMapper::take(const PaddleSignals& signals, kodo::Real paddleX, kodo::Real speed) {
     const int held = (signals.rightHeld ? 1 : 0) - (signals.leftHeld ? 1 : 0);
     if (held != held_) {
         held_ = held;
@@ -43,7 +43,7 @@ void InputMapper::take(const Signals& signals, kodo::Real paddleX, kodo::Real sp
     force_ = pull == signals.pushHeld ? Force::None : pull ? Force::Pull : Force::Push;
 }
 
-void InputMapper::launch(const Signals& signals, std::optional<kodo::Vec2> serve) {
+void InputMapper::launch(const PaddleSignals& signals, std::optional<kodo::Vec2> serve) {
     pullSpent_ = true;
     if (serve && signals.serveHeld) {
         angle_ = std::atan2(serve->x, serve->y);

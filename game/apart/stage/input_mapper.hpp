@@ -16,10 +16,10 @@ public:
     /// Call once per frame; the state applies from the next tick. Without a target, mouse
     /// displacements count from `paddleX` (m). `speed` is the ratio of target displacement to mouse
     /// displacement. While the serve is held, all of it turns the serve instead.
-    void take(const Signals& signals, kodo::Real paddleX, kodo::Real speed);
+    void take(const PaddleSignals& signals, kodo::Real paddleX, kodo::Real speed);
     /// Launches at the next tick. A ball that rides (`serve`: its heading) waits until the button
     /// is released. That button pulls only after a release.
-    void launch(const Signals& signals, std::optional<kodo::Vec2> serve);
+    void launch(const PaddleSignals& signals, std::optional<kodo::Vec2> serve);
     /// True while the serve is held.
     bool aims() const { return angle_.has_value(); }
     /// Input of one more tick.

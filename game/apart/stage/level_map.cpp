@@ -322,7 +322,8 @@ void LevelMap::drawNames(Canvas& canvas, std::size_t index, const Records& recor
 void LevelMap::drawHead(Canvas& canvas, const Records& records) const {
     const Mode mode = records.profile().mode;
     const std::string name(kModeNames[static_cast<std::size_t>(mode)]);
-    canvas.text(mode == Mode::Standard ? "Map" : "Map (" + name + ")", {Real(-14.6), Real(16.6)},
+    const std::string head = duel_ ? "Duel" : "Map";
+    canvas.text(mode == Mode::Standard ? head : head + " (" + name + ")", {Real(-14.6), Real(16.6)},
                 {Real(1.2), palette::kText, Typeface::Display});
     std::array<int, kMedalNames.size()> counts{};
     for (const auto& level : levels_) {

@@ -29,6 +29,9 @@ public:
     /// The level to play, after the player has confirmed a choice. None if it is closed.
     std::optional<std::size_t> take(const Signals& signals);
     void choose(std::size_t level);
+    /// The level is chosen for a duel.
+    void setDuel(bool on) { duel_ = on; }
+    bool forDuel() const { return duel_; }
     std::size_t chosen() const { return chosen_; }
 
     /// `seconds`: of animations.
@@ -72,6 +75,7 @@ private:
     std::vector<Stop> stops_;
     std::vector<Band> bands_;
     std::size_t chosen_ = 0;
+    bool duel_ = false;
     Vec2 pointer_{-1000, -1000}; // where it was last
 };
 

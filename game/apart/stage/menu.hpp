@@ -17,6 +17,7 @@ namespace apart {
 enum class Action : std::uint8_t {
     Play,   // the first open level not cleared yet
     Levels, // the map
+    Duel,   // the map, for two players
     Endless,
     Daily,
     Mode, // the next of the modes

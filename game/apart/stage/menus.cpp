@@ -39,12 +39,13 @@ Menu titleMenu(const TitleOffer& offer, const Records& records) {
     if (offer.endless && offer.today > 0) {
         items.push_back({Action::Daily, dailyLabel(offer.today, records)});
     }
+    items.push_back({Action::Duel, "Duel for two"});
     items.push_back({Action::Mode, modeLabel(records.profile().mode)});
     items.push_back({Action::Records, "Records"});
     items.push_back({Action::Help, "How to play"});
     items.push_back({Action::Options, "Options"});
     items.push_back({Action::Quit, "Quit"});
-    return {std::move(items), Real(10.5)};
+    return {std::move(items), Real(11.48)};
 }
 
 void refreshTitle(Menu& menu, const TitleOffer& offer, const Records& records) {

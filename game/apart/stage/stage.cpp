@@ -18,10 +18,15 @@ constexpr std::uint32_t kCheckInGames = 30;
 constexpr double kAttractSeconds = 20;                     // without input
 constexpr std::uint32_t kDemoTicks = 60 * kTicksPerSecond; // until the bot shows the next level
 
-/// Continuous sounds of the game; a menu muffles them, and the bot's game behind one makes none.
-SoundScene soundOf(const Session& session, bool playing, const Settings& settings) {
+/// Continuous sounds of the game, or of a duel; a menu muffles them, and the bot's game behind one
+/// makes none.
+SoundScene soundOf(const Session& session, bool playing, const Settings& settings,
+                   const Duel* duel) {
     const bool own = playing && session.kind() != Session::Kind::Demo;
-    SoundScene scene = own ? sceneOf(session.game()) : SoundScene{};
+    SoundScene scene = duel != nullptr ? duel->sound()
+                       : own           ? sceneOf(session.game())
+                                       : SoundScene{};
+    playing = duel != nullptr ? duel->phase() == Duel::Phase::Playing : playing;
     scene.theme = session.game().level().theme;
     scene.muffled = !playing;
     scene.volume = share(settings.sound);
@@ -94,6 +99,8 @@ Stage::Stage(StageDef def)
         edit(std::move(*def_.firstEdit));
     } else if (def_.firstEndless > 0 || def_.firstDay > 0) {
         beginRun(def_.firstDay);
+    } else if (def_.duel) {
+        beginDuel(level_);
     } else if (def_.startAtOnce) {
         begin(level_);
     } else {
@@ -213,13 +220,15 @@ void Stage::advance(double seconds, const Signals& signals, Speaker& speaker) {
     over_.seconds += seconds;
     idleSeconds_ += seconds;
     take(signals, speaker);
-    speaker.follow(soundOf(session_, screen_ == Screen::Playing, profile().audible()));
+    const bool dueling = screen_ == Screen::Duel;
+    speaker.follow(soundOf(session_, screen_ == Screen::Playing, profile().audible(),
+                           dueling ? duel_.get() : nullptr));
     reloadLevel();
-    const bool playing = screen_ == Screen::Playing;
+    const bool playing = screen_ == Screen::Playing || dueling;
     if (records_.advance(playing ? kCheckInGames : kCheckInMenus, !playing) &&
         screen_ == Screen::Title) {
         level_ = map_.nextLevel(records_);
-        refreshTitle(menu_, offer(), records_);
+        refreshTitle(menu_, offerOf(def_, level_), records_);
     }
     if (help_ && screen_ == Screen::Help) {
         help_->advance(seconds);
@@ -231,6 +240,9 @@ void Stage::advance(double seconds, const Signals& signals, Speaker& speaker) {
     }
     if (screen_ == Screen::Editor) {
         return editor_->advance();
+    }
+    if (dueling) {
+        return duel_->advance(seconds, profile().audible(), def_.pilot, speaker);
     }
     if (over_.rerun) {
         return over_.rerun->advance(seconds);

@@ -3,6 +3,7 @@
 
 #include <apart/stage/campaign.hpp>
 #include <apart/stage/confirm.hpp>
+#include <apart/stage/duel.hpp>
 #include <apart/stage/editor_screen.hpp>
 #include <apart/stage/help.hpp>
 #include <apart/stage/hud.hpp>
@@ -33,6 +34,7 @@ struct StageDef {
     Campaign campaign{};
     std::size_t firstLevel = 0;
     bool startAtOnce = false; // in the first level, without the title screen
+    bool duel = false;        // starts in the first level with two players
     std::uint32_t seed = 1;   // of the first game, incremented for each further game
     Profile profile{};
     Keeping keeping{};
@@ -103,8 +105,12 @@ enum class Screen : std::uint8_t {
     Over,
     Editor,
     BossCard, // before the first game of a boss
-    Ending    // after the last boss
+    Ending,   // after the last boss
+    Duel
 };
+
+/// What the title screen offers, with this level to play.
+TitleOffer offerOf(const StageDef& def, std::size_t level);
 
 /// The game in the picture: on the result screen that of the rerun.
 struct ShownGame {
@@ -136,21 +142,26 @@ public:
     void draw(Canvas& canvas) const;
 
     bool wantsToQuit() const { return quit_; }
-    bool wantsPointer() const { return screen_ != Screen::Playing || session_.isShow(); }
+    bool wantsPointer() const {
+        return screen_ == Screen::Duel ? duel_->phase() != Duel::Phase::Playing
+                                       : screen_ != Screen::Playing || session_.isShow();
+    }
     Screen screen() const { return screen_; }
     const Game& game() const { return session_.game(); }
     const Profile& profile() const { return records_.profile(); }
     const Settings& settings() const { return profile().settings; }
     const Records& records() const { return records_; }
-    std::size_t levelIndex() const { return level_; }
     const Menu& menu() const { return menu_; }
     const LevelMap& levelMap() const { return map_; }
     const std::optional<Ghost>& ghost() const { return session_.ghost(); }
     const EditorScreen* editor() const { return editor_.get(); } // nullptr: none is open
+    const Duel* duel() const { return duel_.get(); }             // nullptr: there was none
     /// True if the bot plays without a menu: the title screen has had no input for a while.
     bool attracting() const;
     friend ShownGame shownBy(const Stage& stage);
     friend void paintOver(Canvas& canvas, const Stage& stage); // its result, or the ending
+    friend HudLook hudLookOf(const Stage& stage);
+    friend void paintPlaying(Canvas& canvas, const Stage& stage, std::string_view question);
 
 private:
     // Effects of input, by screen (stage_signals.cpp).
@@ -162,6 +173,7 @@ private:
     void takeShow(const Signals& signals);
     void takeMenu(const Signals& signals, Speaker& speaker);
     bool takeEditor(const Signals& signals);
+    bool takeDuel(const Signals& signals);
     bool takeShortcut(Command command);
     bool mayEnd(Ending ending);
     void quit();
@@ -170,12 +182,13 @@ private:
 
     // Screens and games.
     void toTitle();
-    void toLevels();
+    void toLevels(bool duel = false);
     void toOptions(int page = 0);
     void open(Screen screen, Menu menu);
     void begin(std::size_t level, bool namesBoss = false);
     void beginEndless(std::uint32_t number);
     void beginRun(Day day);
+    void beginDuel(std::size_t level);
     void enterShow();
     void beginGame(std::shared_ptr<const Level> level, std::uint32_t seed);
     void enter(std::unique_ptr<Play> play, Session::Kind kind);
@@ -188,10 +201,12 @@ private:
     void keepGame();
     void edit(EditorStart start);
     bool takeShare(const Signals& signals);
-    TitleOffer offer() const;
 
-    // Pictures (stage_picture.cpp).
-    HudLook hudLook() const;
+    /// The options or the help.
+    struct Behind {
+        Screen screen = Screen::Title; // behind them
+        int page = 0;                  // of kDialPages
+    };
 
     /// The result screen.
     struct Outcome {
@@ -204,8 +219,7 @@ private:
 
     StageDef def_;
     Screen screen_ = Screen::Title;
-    Screen behind_ = Screen::Title; // the options or the help
-    int optionsPage_ = 0;           // of kDialPages
+    Behind options_;
     bool quit_ = false;
     std::size_t level_ = 0;
     EndlessRun endless_;
@@ -224,6 +238,7 @@ private:
     std::optional<HelpPage> help_; // of Screen::Help
     LevelMap map_;
     std::unique_ptr<EditorScreen> editor_; // also while its level is tried
+    std::unique_ptr<Duel> duel_;           // the last one
     double seconds_ = 0;                   // s since the start, for animations
     double idleSeconds_ = 0;               // s since the last input
     Outcome over_;                         // of Screen::Over

@@ -91,19 +91,6 @@ void paintHeading(Canvas& canvas, std::string_view text) {
                 {Real(1.4), palette::kText, Typeface::Display, Align::Middle});
 }
 
-/// `bottom`: lower edge, m.
-void paintQuestion(Canvas& canvas, std::string_view question, Real bottom) {
-    constexpr std::size_t kShort = 40; // letters
-    if (!question.empty()) {
-        const Real half = question.size() > kShort ? Real(11.5) : Real(5.5);
-        canvas.rectangle({{-half, bottom}, {half, bottom + Real(1.1)}}, faded(palette::kInk, 0.9f),
-                         faded(palette::kInk, 0.9f));
-        canvas.text(
-            question, {0, bottom + Real(0.35)},
-            {Real(0.6), palette::kAccent, Typeface::Bold, Align::Middle, 2 * half - Real(0.4)});
-    }
-}
-
 void paintOptions(Canvas& canvas, const Menu& menu, std::string_view question) {
     paintVeil(canvas, faded(palette::kNight, 0.80f));
     paintHeading(canvas, "Options");
@@ -234,23 +221,25 @@ void paintTitleScreen(Canvas& canvas, const Menu& menu, double seconds,
 
 } // namespace
 
-HudLook Stage::hudLook() const {
+HudLook hudLookOf(const Stage& stage) {
     HudLook look;
-    const bool replay = session_.isShow() || session_.isWhatIf();
-    look.place = placeOf(game().level(), def_.levels, endless_.number,
-                         replay ? theatre_.show().day : endless_.day);
-    look.scoreBefore = endless_.number > 0 ? endless_.score : 0;
-    look.best = records_.provedScore(game().mode(), endless_.keyOf(game()));
-    look.keys = profile().bindings;
-    look.muted = profile().audible().sound == 0;
-    if (session_.isShow()) {
-        look.pilot =
-            theatre_.paused() ? "REPLAY  paused" : "REPLAY  " + theatre_.speedText() + " x";
-        look.foot = theatre_.timeText(session_.clock());
-    } else if (session_.isWhatIf()) {
+    const Session& session = stage.session_;
+    const EndlessRun& run = stage.endless_;
+    const bool replay = session.isShow() || session.isWhatIf();
+    look.place = placeOf(stage.game().level(), stage.def_.levels, run.number,
+                         replay ? stage.theatre_.show().day : run.day);
+    look.scoreBefore = run.number > 0 ? run.score : 0;
+    look.best = stage.records_.provedScore(stage.game().mode(), run.keyOf(stage.game()));
+    look.keys = stage.profile().bindings;
+    look.muted = stage.profile().audible().sound == 0;
+    if (session.isShow()) {
+        look.pilot = stage.theatre_.paused() ? "REPLAY  paused"
+                                             : "REPLAY  " + stage.theatre_.speedText() + " x";
+        look.foot = stage.theatre_.timeText(session.clock());
+    } else if (session.isWhatIf()) {
         look.pilot = "WHAT IF   no score";
         look.takenOver = true;
-        look.foot = takenOverText(replays_, theatre_, session_.takenOverAt());
+        look.foot = takenOverText(stage.replays_, stage.theatre_, session.takenOverAt());
     }
     return look;
 }
@@ -290,12 +279,34 @@ void paintOver(Canvas& canvas, const Stage& stage) {
     stage.menu_.draw(canvas);
 }
 
+/// Words over a game or a replay, and the pending question.
+void paintPlaying(Canvas& canvas, const Stage& stage, std::string_view question) {
+    const Session& session = stage.session_;
+    if (session.isShow()) {
+        paintReload(canvas, stage.divergence_, stage.seconds_);
+        return paintTheatre(canvas, stage.theatre_, session.clock(),
+                            stage.replays_.leadsFrom(session) ? "all replays" : "menu");
+    }
+    const Bindings& keys = stage.profile().bindings;
+    const Reload& reload = stage.reload_;
+    paintReload(canvas, reload, stage.seconds_);
+    paintQuestion(canvas, question, Real(4.3)); // if there is one
+    if (question.empty() && reload.faults.empty() && !reload.hasNews(stage.seconds_) &&
+        !stage.inputMapper_.aims()) {
+        paintServeHint(canvas, session.game(), keys);
+    }
+    if (session.game().result() == Result::Won) {
+        paintFeast(canvas, session.endTicks(), keys);
+    }
+}
+
 void Stage::draw(Canvas& canvas) const {
     const bool help = screen_ == Screen::Help && help_;
     const ShownGame shown = apart::shownBy(*this);
     const Closeup& closeup = shown.closeup;
+    const bool still = help || screen_ == Screen::Duel;
     canvas.begin(shown.wide ? layout::kShownTitle : layout::kShown,
-                 help ? Vec2{} : session_.play().juice().shake());
+                 still ? Vec2{} : session_.play().juice().shake());
     canvas.setPalette(static_cast<Vision>(std::clamp(settings().colors, 0, 3)));
     canvas.setTextScale(static_cast<Real>(settings().text) / 100);
     if (help) {
@@ -303,6 +314,9 @@ void Stage::draw(Canvas& canvas) const {
     }
     if (screen_ == Screen::Editor) {
         return editor_->draw(canvas, seconds_);
+    }
+    if (screen_ == Screen::Duel) {
+        return duel_->draw(canvas, profile().bindings);
     }
     const bool words = screen_ == Screen::Playing || attracting();
     canvas.zoom(closeup.focus, closeup.scale);
@@ -320,7 +334,7 @@ void Stage::draw(Canvas& canvas) const {
         paintPanelBack(canvas, game().level().theme);
     }
     if (!shown.wide) {
-        paintHud(canvas, game(), hudLook());
+        paintHud(canvas, game(), hudLookOf(*this));
     }
     const std::string question = questionOf(confirm_.question(seconds_), session_, endless_);
     switch (screen_) {
@@ -343,25 +357,12 @@ void Stage::draw(Canvas& canvas) const {
         return paintReplays(canvas, menu_, def_.replayFolder);
     case Screen::Help: // above
     case Screen::Editor:
+    case Screen::Duel:
         return;
     case Screen::Playing:
-        if (session_.isShow()) {
-            paintReload(canvas, divergence_, seconds_);
-            return paintTheatre(canvas, theatre_, session_.clock(),
-                                replays_.leadsFrom(session_) ? "all replays" : "menu");
-        }
-        paintReload(canvas, reload_, seconds_);
-        paintQuestion(canvas, question, Real(4.3)); // if there is one
-        if (question.empty() && reload_.faults.empty() && !reload_.hasNews(seconds_) &&
-            !inputMapper_.aims()) {
-            paintServeHint(canvas, game(), profile().bindings);
-        }
-        if (game().result() == Result::Won) {
-            paintFeast(canvas, session_.endTicks(), profile().bindings);
-        }
-        return;
+        return paintPlaying(canvas, *this, question);
     case Screen::Paused:
-        paintPaused(canvas, menu_, question, hudLook(), game().level());
+        paintPaused(canvas, menu_, question, hudLookOf(*this), game().level());
         return paintNotices(canvas, reload_.notes(), kGameNotices);
     case Screen::BossCard:
         return paintBossCard(canvas, game().level(), over_.seconds);

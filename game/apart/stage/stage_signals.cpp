@@ -55,10 +55,9 @@ void Stage::open(Screen screen, Menu menu) {
     menu_ = std::move(menu);
 }
 
-TitleOffer Stage::offer() const {
-    const Level& level = *def_.levels[level_];
-    return {fmt::format("Play   {}  {}", level_ + 1, shortened(level.title, 32)),
-            def_.endless != nullptr, def_.today && def_.daily ? def_.today() : 0};
+TitleOffer offerOf(const StageDef& def, std::size_t level) {
+    return {fmt::format("Play   {}  {}", level + 1, shortened(def.levels[level]->title, 32)),
+            def.endless != nullptr, def.today && def.daily ? def.today() : 0};
 }
 
 void Stage::toTitle() {
@@ -66,14 +65,16 @@ void Stage::toTitle() {
     level_ = map_.nextLevel(records_);
     demo(level_);
     if (def_.endless) {
-        records_.checkFirst(profile().mode, dailyKey(offer().today));
+        records_.checkFirst(profile().mode, dailyKey(offerOf(def_, level_).today));
         records_.checkFirst(profile().mode, kEndlessKey);
     }
-    open(Screen::Title, titleMenu(offer(), records_));
+    open(Screen::Title, titleMenu(offerOf(def_, level_), records_));
 }
 
-void Stage::toLevels() {
+/// `duel`: the chosen level is played by two players.
+void Stage::toLevels(bool duel) {
     screen_ = Screen::Levels;
+    map_.setDuel(duel);
     map_.update(records_);
     map_.choose(level_);
     demo(level_);
@@ -81,9 +82,9 @@ void Stage::toLevels() {
 }
 
 void Stage::toOptions(int page) {
-    behind_ = screen_ == Screen::Options ? behind_ : screen_;
-    optionsPage_ = page % static_cast<int>(kDialPages.size());
-    open(Screen::Options, optionsMenu(settings(), optionsPage_));
+    options_.screen = screen_ == Screen::Options ? options_.screen : screen_;
+    options_.page = page % static_cast<int>(kDialPages.size());
+    open(Screen::Options, optionsMenu(settings(), options_.page));
 }
 
 void Stage::take(const Signals& signals, Speaker& speaker) {
@@ -104,6 +105,9 @@ void Stage::take(const Signals& signals, Speaker& speaker) {
     one.pointer.reset();
     one.presses.clear();
     one.moved = 0;
+    for (SeatSignals& seat : one.seats) {
+        seat.serves = false;
+    }
     one.clicked = one.focusLost = false;
     for (std::size_t i = 1; i < signals.commands.size(); ++i) {
         one.commands = {signals.commands[i]};
@@ -131,6 +135,8 @@ void Stage::takeOne(const Signals& signals, Speaker& speaker) {
         return takeLevels(signals, speaker);
     case Screen::Playing:
         return session_.isShow() ? takeShow(signals) : takePlaying(signals);
+    case Screen::Duel:
+        return takeDuel(signals) ? chirp(speaker, profile().audible().sound, true) : void();
     case Screen::BossCard:
         if (signals.clicked || !signals.commands.empty()) {
             screen_ = Screen::Playing;
@@ -169,7 +175,7 @@ void Stage::takeLevels(const Signals& signals, Speaker& speaker) {
     }
     if (const std::optional<std::size_t> level = map_.take(signals)) {
         chirp(speaker, profile().audible().sound, true);
-        begin(*level, true);
+        map_.forDuel() ? beginDuel(*level) : begin(*level, true);
     } else if (map_.chosen() != before) {
         chirp(speaker, profile().audible().sound, false);
         demo(map_.chosen());
@@ -238,8 +244,11 @@ void Stage::back() {
         const Action left = screen_ == Screen::Options ? Action::Options : Action::Help;
         records_.save();
         help_.reset();
-        if (behind_ == Screen::Title) {
+        if (options_.screen == Screen::Title) {
             toTitle();
+        } else if (options_.screen == Screen::Duel) {
+            screen_ = Screen::Duel;
+            return;
         } else {
             open(Screen::Paused, pauseMenu(replays_.leadsFrom(session_)));
         }
@@ -289,10 +298,12 @@ void Stage::act(const MenuOutcome& outcome) {
         return begin(level_, true);
     case Action::Levels:
         return mayEnd(Ending::Levels) ? toLevels() : void();
+    case Action::Duel:
+        return toLevels(true);
     case Action::Endless:
         return beginRun(0);
     case Action::Daily:
-        return beginRun(offer().today);
+        return beginRun(offerOf(def_, level_).today);
     case Action::Records:
         return open(Screen::Records, recordsMenu(def_.replays != nullptr));
     case Action::Replays:
@@ -318,15 +329,15 @@ void Stage::act(const MenuOutcome& outcome) {
         return toTitle();
     }
     case Action::Help:
-        behind_ = screen_;
+        options_.screen = screen_;
         help_.emplace(profile().audible());
         return open(Screen::Help, helpMenu());
     case Action::Mode:
         records_.profile().mode = apart::next(profile().mode);
         level_ = map_.nextLevel(records_);
-        records_.checkFirst(profile().mode, dailyKey(offer().today));
+        records_.checkFirst(profile().mode, dailyKey(offerOf(def_, level_).today));
         records_.checkFirst(profile().mode, kEndlessKey);
-        return refreshTitle(menu_, offer(), records_);
+        return refreshTitle(menu_, offerOf(def_, level_), records_);
     case Action::Options:
         return toOptions();
     case Action::Keys:
@@ -343,7 +354,7 @@ void Stage::act(const MenuOutcome& outcome) {
     case Action::ToTitle:
         return mayEnd(Ending::Title) ? toTitle() : void();
     case Action::Page:
-        toOptions(optionsPage_ + 1);
+        toOptions(options_.page + 1);
         return menu_.choose(Action::Page);
     case Action::Reset:
         if (settings() == Settings{} || confirm_.ask(Ending::Settings, seconds_)) {

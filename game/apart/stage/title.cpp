@@ -48,8 +48,8 @@ void paintPieces(Canvas& canvas, double seconds) {
 
 void paintTitle(Canvas& canvas, double seconds) {
     paintPieces(canvas, seconds);
-    paintLogo(canvas, {0, Real(12.5)}, Real(2.9), seconds);
-    canvas.text("blocks that really come apart", {0, Real(11.2)},
+    paintLogo(canvas, {0, Real(13.2)}, Real(2.9), seconds);
+    canvas.text("blocks that really come apart", {0, Real(11.9)},
                 {Real(0.62), palette::kText, Typeface::Plain, Align::Middle});
 }
 

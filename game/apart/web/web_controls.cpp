@@ -133,14 +133,10 @@ Signals WebControls::poll() {
     pollPad();
     pressLong();
     Signals signals = std::exchange(signals_, {});
-    signals.leftHeld = keys_.holds(Act::Left);
-    signals.rightHeld = keys_.holds(Act::Right);
-    const bool pulls = captured_ && fingers_ == 2;
-    const bool pushes = captured_ && fingers_ > 2;
-    signals.pullHeld = signals.pullHeld || keys_.holds(Act::Pull) || buttons_[0] || pulls;
-    signals.pushHeld = signals.pushHeld || keys_.holds(Act::Push) || buttons_[1] || pushes;
-    const bool aims = finger_ && finger_->aims;
-    signals.serveHeld = signals.serveHeld || keys_.holds(Act::Serve) || buttons_[0] || aims;
+    keys_.addHeld(buttons_, signals);
+    signals.pullHeld |= captured_ && fingers_ == 2;
+    signals.pushHeld |= captured_ && fingers_ > 2;
+    signals.serveHeld |= finger_ && finger_->aims;
     signals.pointerNow = pointer_;
     signals.dragging = dragging_ && !captured_;
     return signals;
@@ -294,12 +290,12 @@ void WebControls::loseFocus() {
     dragging_ = false;
 }
 
-void WebControls::pollPad() {
+/// State of the gamepad of an index; nothing is held if it cannot be read.
+static Pad padAt(int index) {
     EmscriptenGamepadEvent pad;
-    if (emscripten_sample_gamepad_data() != EMSCRIPTEN_RESULT_SUCCESS ||
-        emscripten_get_num_gamepads() < 1 ||
-        emscripten_get_gamepad_status(0, &pad) != EMSCRIPTEN_RESULT_SUCCESS || pad.numAxes < 1) {
-        return;
+    if (emscripten_get_gamepad_status(index, &pad) != EMSCRIPTEN_RESULT_SUCCESS ||
+        pad.numAxes < 1) {
+        return {};
     }
     // The standard mapping has the triggers before back and start; a trigger acts as its shoulder.
     constexpr std::array<unsigned, 10> kStandard = {0, 1, 2, 3, 4, 5, 4, 5, 6, 7};
@@ -312,13 +308,25 @@ void WebControls::pollPad() {
         const auto down = [&](int i) { return i < pad.numButtons && pad.digitalButton[i]; };
         return static_cast<float>((down(high) ? 1 : 0) - (down(low) ? 1 : 0));
     };
+    return {.stickX = static_cast<float>(pad.axis[0]),
+            .stickY = pad.numAxes > 1 ? static_cast<float>(pad.axis[1]) : 0.0f,
+            .padX = axis(14, 15),
+            .padY = axis(12, 13),
+            .held = held};
+}
+
+/// The first gamepad is that of the first player; all others are as one.
+void WebControls::pollPad() {
+    if (emscripten_sample_gamepad_data() != EMSCRIPTEN_RESULT_SUCCESS) {
+        return;
+    }
+    std::array<Pad, kSeats> pads;
+    for (int i = 0; i < emscripten_get_num_gamepads(); ++i) {
+        Pad& pad = pads[i == 0 ? 0 : kSeats - 1];
+        pad = pad.joined(padAt(i));
+    }
     const std::size_t before = signals_.presses.size();
-    keys_.take({.stickX = static_cast<float>(pad.axis[0]),
-                .stickY = pad.numAxes > 1 ? static_cast<float>(pad.axis[1]) : 0.0f,
-                .padX = axis(14, 15),
-                .padY = axis(12, 13),
-                .held = held},
-               signals_);
+    keys_.take(pads, signals_);
     pressed_ = pressed_ || signals_.presses.size() > before;
 }
 
