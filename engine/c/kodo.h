@@ -868,13 +868,13 @@ KODO_C_API kodo_Status kodo_setJoint(kodo_World* world, kodo_JointId id, const k
 /// On body b: mean over the last step in which the joint was awake.
 KODO_C_API kodo_Status kodo_jointLoad(const kodo_World* world, kodo_JointId id, kodo_Load* load);
 
-/// Where a joint is, and how it moves: b relative to a.
 /// Numbers of a spring, as the joints have them.
 typedef struct kodo_Spring {
     kodo_Real hertz;
     kodo_Real damping; // damping ratio
 } kodo_Spring;
 
+/// Where a joint is, and how it moves: b relative to a.
 typedef struct kodo_JointState {
     kodo_Vec2 anchorA;      // m, world; of a mouse joint: the target
     kodo_Vec2 anchorB;      // m, world

@@ -97,6 +97,8 @@ TEST(CollisionFilter, Has48CategoriesByNumber) {
         all |= category(number);
     }
     EXPECT_EQ(all, kUserFlags);
+    EXPECT_THROW(category(48), BadDefinition); // would be another one's bit
+    EXPECT_THROW(category(static_cast<unsigned>(-1)), BadDefinition);
 }
 
 // Groups come before the modes, as in Box2D.

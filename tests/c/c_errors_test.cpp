@@ -121,6 +121,26 @@ TEST(CErrors, KindsBeyondTheLastAreRefused) {
     EXPECT_EQ(KODO_BAD_DEFINITION, kodo_setSettings(world, &settings));
 }
 
+// A value beside a flag that is false would be dropped.
+TEST(CErrors, AValueWithoutItsFlagIsRefused) {
+    const CWorld world;
+    const std::string sentence = ": is false, but the value that it stands for is set";
+    kodo_BodyId id{};
+    kodo_BodyDef body = bodyAt(0, 0);
+    body.mass.mass = 5;
+    expectError(KODO_BAD_DEFINITION, ("hasMass" + sentence).c_str(),
+                kodo_addBody(world, &body, &id));
+    kodo_JointId jointId{};
+    kodo_JointDef joint = kodo_jointDef(KODO_PRISMATIC_JOINT);
+    joint.prismatic.limits = {-1, 1};
+    expectError(KODO_BAD_DEFINITION, ("hasLimits" + sentence).c_str(),
+                kodo_addJoint(world, &joint, &jointId));
+    joint = kodo_jointDef(KODO_GEAR_JOINT);
+    joint.gear.rack = {1, 0};
+    expectError(KODO_BAD_DEFINITION, ("hasRack" + sentence).c_str(),
+                kodo_addJoint(world, &joint, &jointId));
+}
+
 template <typename Definition>
 void expectHeadsChecked(const char* type, const Definition& good,
                         kodo_Status (*use)(kodo_World*, const Definition*)) {

@@ -238,6 +238,25 @@ class Errors(unittest.TestCase):
             world.add_joint(kodo.RevoluteJoint(a=box.id, b=other.id, motor_torque=-1))
         with self.assertRaisesRegex(kodo.BadDefinition, "at most MAX_COORDINATE"):
             world.explode((0, 0), radius=1e30)
+        with self.assertRaisesRegex(kodo.BadDefinition, "of length 2: divide it by its length"):
+            world.add_joint(kodo.PrismaticJoint(a=box.id, b=other.id, axis=(2, 0)))
+
+    def test_what_would_be_cut_off_or_ignored_is_refused(self):
+        world, (box, *_) = falling_boxes()
+        for group in (1 << 31, -(1 << 31) - 1):
+            with self.assertRaisesRegex(ValueError, "group: must be from"):
+                world.add(group=group)
+            with self.assertRaisesRegex(ValueError, "group: must be from"):
+                box.group = group
+        with self.assertRaisesRegex(ValueError, "user_data"):
+            world.add(user_data=1 << 64)
+        with self.assertRaises(AttributeError):
+            world.gravty = (0, -10)
+        with self.assertRaisesRegex(TypeError, "named by a Body or a BodyId, but is 7"):
+            world[7].velocity = (1, 0)
+        with self.assertRaisesRegex(TypeError, "named by its JointId"):
+            world.remove_joint(box)
+        self.assertEqual(4, len(world))
 
     def test_values_of_a_wrong_kind_are_told_with_the_value(self):
         world, (box, *_) = falling_boxes()

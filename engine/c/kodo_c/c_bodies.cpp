@@ -39,7 +39,7 @@ void writeDefaults(kodo_BodyDef& def) {
 kodo::Part partFromC(const kodo_Part& part) {
     const auto& [shape, material, density, hasFilter, filter, userData] = part;
     return {primitiveFromC(shape, "part.shape"), fromC(material), density,
-            optionalFromC(hasFilter, filter), userData};
+            optionalFromC(hasFilter, filter, "hasFilter"), userData};
 }
 
 } // namespace
@@ -52,7 +52,7 @@ kodo::BodyType bodyTypeFromC(kodo_BodyType type) {
 }
 
 kodo::MassDef fromC(const kodo_MassDef& mass) {
-    return {mass.mass, optionalFromC(mass.hasCenter, mass.center),
+    return {mass.mass, optionalFromC(mass.hasCenter, mass.center, "hasCenter"),
             mass.hasInertia ? std::optional(mass.inertia) : std::nullopt};
 }
 
@@ -60,7 +60,7 @@ kodo::BodyDef fromC(const kodo_BodyDef& def) {
     return {fromC(def.shape),    fromC(def.position),
             fromC(def.rotation), fromC(def.velocity),
             def.angularVelocity, fromC(def.material),
-            def.density,         optionalFromC(def.hasMass, def.mass),
+            def.density,         optionalFromC(def.hasMass, def.mass, "hasMass"),
             def.linearDamping,   def.angularDamping,
             def.gravityScale,    bodyTypeFromC(def.type),
             def.flags,           def.required,

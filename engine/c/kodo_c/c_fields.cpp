@@ -62,8 +62,9 @@ std::shared_ptr<const kodo::ForceField> engineField(const kodo_Field& field) {
     case KODO_DRAG:
         return std::make_shared<kodo::Drag>(lawFromC(field.drag.law), fromC(field.drag.air));
     case KODO_WIND:
-        return std::make_shared<kodo::Wind>(lawFromC(field.wind.law), fromC(field.wind.velocity),
-                                            optionalFromC(field.wind.hasRegion, field.wind.region));
+        return std::make_shared<kodo::Wind>(
+            lawFromC(field.wind.law), fromC(field.wind.velocity),
+            optionalFromC(field.wind.hasRegion, field.wind.region, "hasRegion"));
     case KODO_ATTRACTOR:
         requireKind(field.attractor.law, KODO_LINEAR + 1, "field.attractor.law");
         return std::make_shared<kodo::Attractor>(

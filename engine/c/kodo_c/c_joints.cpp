@@ -122,8 +122,12 @@ struct WriteJoint {
 };
 
 kodo::WheelJoint wheelFromC(const kodo_WheelJoint& joint) {
-    return {endsFromC(joint.ends), fromC(joint.axis), optionalFromC(joint.hasLimits, joint.limits),
-            joint.hertz,           joint.damping,     joint.motorSpeed,
+    return {endsFromC(joint.ends),
+            fromC(joint.axis),
+            optionalFromC(joint.hasLimits, joint.limits, "hasLimits"),
+            joint.hertz,
+            joint.damping,
+            joint.motorSpeed,
             joint.motorTorque};
 }
 kodo::PulleyJoint pulleyFromC(const kodo_PulleyJoint& joint) {
@@ -131,7 +135,8 @@ kodo::PulleyJoint pulleyFromC(const kodo_PulleyJoint& joint) {
             joint.ratio};
 }
 kodo::GearJoint gearFromC(const kodo_GearJoint& joint) {
-    return {endsFromC(joint.ends), joint.ratio, optionalFromC(joint.hasRack, joint.rack)};
+    return {endsFromC(joint.ends), joint.ratio,
+            optionalFromC(joint.hasRack, joint.rack, "hasRack")};
 }
 
 kodo::JointDef defaultsOf(kodo_JointKind kind) {
@@ -168,10 +173,14 @@ kodo::JointDef fromC(const kodo_JointDef& def) {
     switch (def.kind) {
     case KODO_REVOLUTE_JOINT: {
         const kodo_RevoluteJoint& joint = def.revolute;
-        return kodo::RevoluteJoint{
-            endsFromC(joint.ends), joint.reference,   optionalFromC(joint.hasLimits, joint.limits),
-            joint.motorSpeed,      joint.motorTorque, joint.target,
-            joint.hertz,           joint.damping};
+        return kodo::RevoluteJoint{endsFromC(joint.ends),
+                                   joint.reference,
+                                   optionalFromC(joint.hasLimits, joint.limits, "hasLimits"),
+                                   joint.motorSpeed,
+                                   joint.motorTorque,
+                                   joint.target,
+                                   joint.hertz,
+                                   joint.damping};
     }
     case KODO_FIXED_JOINT:
         return kodo::FixedJoint{endsFromC(def.fixed.ends), def.fixed.reference, def.fixed.hertz,
@@ -182,7 +191,7 @@ kodo::JointDef fromC(const kodo_JointDef& def) {
                                    joint.length,
                                    joint.hertz,
                                    joint.damping,
-                                   optionalFromC(joint.hasLimits, joint.limits),
+                                   optionalFromC(joint.hasLimits, joint.limits, "hasLimits"),
                                    joint.motorSpeed,
                                    joint.motorForce};
     }
@@ -190,7 +199,7 @@ kodo::JointDef fromC(const kodo_JointDef& def) {
         const kodo_PrismaticJoint& joint = def.prismatic;
         return kodo::PrismaticJoint{
             endsFromC(joint.ends), fromC(joint.axis),
-            joint.reference,       optionalFromC(joint.hasLimits, joint.limits),
+            joint.reference,       optionalFromC(joint.hasLimits, joint.limits, "hasLimits"),
             joint.motorSpeed,      joint.motorForce,
             joint.target,          joint.hertz,
             joint.damping};

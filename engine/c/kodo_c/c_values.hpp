@@ -142,9 +142,29 @@ kodo_QueryContact toC(const kodo::QueryContact& contact);
 kodo_ExplosionHit toC(const kodo::ExplosionHit& hit);
 kodo_Field toC(const kodo::FieldEntry& entry);
 
-/// A value of C with a flag that says whether it counts.
+inline bool isSet(kodo_Vec2 value) {
+    return value.x != 0 || value.y != 0;
+}
+inline bool isSet(kodo_Range value) {
+    return value.lower != 0 || value.upper != 0;
+}
+inline bool isSet(const kodo_Aabb& value) {
+    return isSet(value.lower) || isSet(value.upper);
+}
+inline bool isSet(const kodo_Filter& value) {
+    return value.flags != 0 || value.required != 0 || value.group != 0;
+}
+inline bool isSet(const kodo_MassDef& value) {
+    return value.mass != 0;
+}
+
+/// A value of C with a flag that says whether it counts. Throws BadDefinition if a value is given
+/// and the flag is not: a user who forgets the flag gets a sentence.
 template <typename C>
-auto optionalFromC(bool present, const C& value) {
+auto optionalFromC(bool present, const C& value, const char* flag) {
+    if (!present && isSet(value)) {
+        throw kodo::BadDefinition({flag, "is false, but the value that it stands for is set"});
+    }
     return present ? std::optional(fromC(value)) : std::nullopt;
 }
 

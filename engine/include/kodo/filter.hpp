@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <kodo/real.hpp>
+#include <kodo/error.hpp>
 
 #include <cstdint>
 
@@ -13,8 +13,11 @@ inline namespace KODO_PRECISION {
 using Flags = std::uint64_t;
 
 inline constexpr Flags kUserFlags = 0xffff'ffff'0000'ffff;
-/// The categories by number, 0 to 47: bits 0 to 15, then 32 to 63.
+/// The categories by number, 0 to 47: bits 0 to 15, then 32 to 63. Throws BadDefinition for others.
 constexpr Flags category(unsigned number) {
+    if (number > 47) {
+        throw BadDefinition({"category", "must be from 0 to 47"});
+    }
     return Flags{1} << (number < 16 ? number : number + 16);
 }
 inline constexpr Flags kLockMove = 1u << 16;   // motion lock: infinite mass

@@ -54,6 +54,7 @@ Real = ctypes.c_float if REAL_SIZE == 4 else ctypes.c_double
 REAL_CODE: str = "f" if REAL_SIZE == 4 else "d"
 
 
+_ADVICE = {"use Rot::from_angle(radians); ": "", ": use normalize()": ": divide it by its length"}
 _CONSTANT = re.compile(r"\bk(?=[A-Z])(\w+)")
 _NAME = re.compile(r"\b[a-z]+(?:[A-Z][a-z]*)+\b")
 _HUMP = re.compile(r"(?<=[a-z])(?=[A-Z])")
@@ -63,6 +64,8 @@ def in_python(sentence: str) -> str:
     """A sentence of the engine with its names as this module writes them: motor_speed, LOCK_MOVE."""
     sentence = _CONSTANT.sub(lambda k: _HUMP.sub("_", k[1]).upper(), sentence)
     sentence = _NAME.sub(lambda name: _HUMP.sub("_", name[0]).lower(), sentence)
+    for cpp, python in _ADVICE.items():
+        sentence = sentence.replace(cpp, python)
     return sentence.replace("::", ".")
 
 

@@ -10,7 +10,7 @@ from . import _structs as c
 from ._library import call
 from .shapes import BuiltShape, MassDef, Part, Primitive, from_shape, to_mass
 from .values import (Aabb, BodyId, BodyType, Filter, Material, Transform, Vec2, from_aabb, from_body_id,
-                     from_material, from_transform, from_vec2, to_bits, to_body_id, to_filter,
+                     from_material, from_transform, from_vec2, to_bits, to_body_id, to_filter, to_group,
                      to_material, to_real, to_rot, to_type, to_vec2)
 
 if TYPE_CHECKING:
@@ -133,7 +133,7 @@ class Body:
 
     @group.setter
     def group(self, group: int) -> None:
-        self._call("kodo_setGroup", ctypes.c_int32(group))
+        self._call("kodo_setGroup", ctypes.c_int32(to_group(group)))
 
     @property
     def user_data(self) -> int:
@@ -142,7 +142,7 @@ class Body:
 
     @user_data.setter
     def user_data(self, number: int) -> None:
-        self._call("kodo_setUserData", ctypes.c_uint64(number))
+        self._call("kodo_setUserData", ctypes.c_uint64(to_bits("user_data", number)))
 
     @property
     def linear_damping(self) -> float:

@@ -162,15 +162,26 @@ def to_type(value: BodyType) -> int:
         raise TypeError(f"type: must be a BodyType, but is {value!r}") from None
 
 
-def to_bits(name: str, value: int) -> int:
-    """64 bits. ctypes alone would cut off what is beyond them."""
+def _to_integer(name: str, value: int) -> int:
     try:
-        bits = operator.index(value)
+        return operator.index(value)
     except TypeError:
         raise TypeError(f"{name}: must be an integer, but is {value!r}") from None
+
+
+def to_bits(name: str, value: int) -> int:
+    """64 bits. ctypes alone would cut off what is beyond them."""
+    bits = _to_integer(name, value)
     if not 0 <= bits < 1 << 64:
         raise ValueError(f"{name}: must have bits 0 to 63, but is {value}")
     return bits
+
+
+def to_group(value: int) -> int:
+    group = _to_integer("group", value)
+    if not -(1 << 31) <= group < 1 << 31:
+        raise ValueError(f"group: must be from -2^31 to 2^31 - 1, but is {value}")
+    return group
 
 
 def to_rot(angle: float) -> c.Rot:
@@ -182,15 +193,19 @@ def to_aabb(box: Aabb) -> c.Aabb:
 
 
 def to_body_id(body: BodyId) -> c.BodyId:
+    if not isinstance(body, BodyId):
+        raise TypeError(f"a body is named by a Body or a BodyId, but is {body!r}")
     return c.BodyId(body.index, body.generation, body.world)
 
 
 def to_joint_id(joint: JointId) -> c.JointId:
+    if not isinstance(joint, JointId):
+        raise TypeError(f"a joint is named by its JointId, but is {joint!r}")
     return c.JointId(joint.index, joint.generation, joint.world)
 
 
 def to_filter(which: Filter) -> c.Filter:
-    return c.Filter(to_bits("flags", which[0]), to_bits("required", which[1]), *which[2:])
+    return c.Filter(to_bits("flags", which[0]), to_bits("required", which[1]), to_group(which[2]))
 
 
 def to_material(m: Material) -> c.Material:

@@ -20,7 +20,7 @@ from .settings import Settings, from_settings, to_settings
 from .shapes import BuiltShape, Circle, MassDef, Shape, to_mass
 from .values import (Aabb, BodyId, BodyType, Filter, JointId, Material, StartOverlap, Vec2, from_aabb,
                      from_body_id, from_joint_id, from_vec2, to_aabb, to_array, to_bits, to_body_id,
-                     to_filter, to_joint_id, to_material, to_real, to_rot, to_type, to_vec2)
+                     to_filter, to_group, to_joint_id, to_material, to_real, to_rot, to_type, to_vec2)
 
 #: A handle or an id names a body.
 BodyLike = Union[Body, BodyId]
@@ -47,6 +47,8 @@ class ThreadPool:
 class World:
     """Bodies, joints, force fields and their simulation. `copy()` is a snapshot that continues with
     the same bits; ids name the same bodies in it."""
+
+    __slots__ = ("handle", "__weakref__")  # a misspelled property is an error
 
     def __init__(
         self,
@@ -151,8 +153,8 @@ class World:
         definition.type = to_type(type)
         definition.flags = to_bits("flags", flags)
         definition.required = to_bits("required", required)
-        definition.group = group
-        definition.userData = user_data
+        definition.group = to_group(group)
+        definition.userData = to_bits("user_data", user_data)
         definition.linearDamping = linear_damping
         definition.angularDamping = angular_damping
         definition.gravityScale = gravity_scale
