@@ -29,7 +29,7 @@ struct SingleJoint {
             RandomPins::get(block.armA, lane), RandomPins::get(block.armB, lane), {}, soft};
         Vec2 impulse = RandomPins::get(block.impulse, lane);
         AxisConstraint axis{
-            .axis = {}, .leverA = 1, .leverB = 1, .beside = {&point, impulse, biased}};
+            .axis = {}, .leverA = 1, .leverB = 1, .beside = {&point, &impulse, biased}};
         Real motor = angles.motor[lane];
         axis.speed = angles.speed[lane];
         axis.bounds = {-kH * angles.torque[lane], kH * angles.torque[lane]};

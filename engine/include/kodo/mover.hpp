@@ -41,6 +41,8 @@ struct KODO_API Mover {
     /// Moves for dt (s) with a wished velocity (m/s), as `velocity` is meant. With a part along
     /// `up` the mover jumps, and takes the velocity of the ground with it. Else, on the ground, the
     /// part across `up` is the speed along the ground, on slopes too. Gravity may be added always.
+    /// In the air and on steeper ground `wish` is the whole velocity: to slide or to keep flying,
+    /// add what `velocity` has.
     ///
     /// Pushes and loads dynamic bodies, and moves `body`. Throws BadDefinition for a number out of
     /// range, a shape that check() refuses and a plane; nothing has changed then.

@@ -197,17 +197,18 @@ void Propagation::makeRows(Bodies& bodies, ContactStore& store, const JointLists
         const Contact& contact = contacts[k];
         const ContactLane lane = store.lane(k);
         const Real slop = step.tolerances.slop;
+        const bool held = isJointed(bodies, joints, contact.key);
         const bool waits =
             bounces(contact, step.settings) &&
             (lane.separation(0) > slop ||
-             departureOf(bodies, store, k, !kodo::isJointed(bodies, joints, contact.key), slop,
-                         h) == Departure::BetweenImpacts);
+             departureOf(bodies, store, k, !held, slop, h) == Departure::BetweenImpacts);
         for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
             lane.separation(i) = gaps_[k][i];
         }
         if (!waits) {
             addRow(bodies, contact, k, step.settings);
-            if (isJointed(rows_.back())) {
+            rows_.back().held = held;
+            if (held) {
                 warmStart(rows_.back(), lane, bodies, h);
             }
         }
@@ -287,24 +288,12 @@ void Propagation::separate(Bodies& bodies, const Step& step, Real h) {
     }
 }
 
-/// Marks the bodies with joints. Locked ones have none: else what hangs from the ground would
-/// change a pile elsewhere on it.
-void Propagation::markJointed(const Bodies& bodies, const JointSet& joints) {
-    for (const std::uint32_t body : bodies.awake) {
-        jointed_[body] = 0;
-    }
-    joints.forEachBusy([&](const JointSet::Joint& joint) {
-        for (const BodyId body : {firstBody(joint.def), secondBody(joint.def)}) {
-            jointed_[body.index] = !bodies.locked(body.index);
-        }
-    });
-}
-
 /// Bodies with a joint or a noticeable impulse of a row move by their velocity, all others in free
 /// flight.
-void Propagation::markExposure(const Bodies& bodies, Real h, Real slop) {
+void Propagation::markExposure(const Bodies& bodies, const JointLists& joints, Real h, Real slop) {
     for (const std::uint32_t body : bodies.awake) {
-        exposure_[body] = jointed_[body] != 0 ? ContactExposure::Touched : ContactExposure::Free;
+        const bool held = !bodies.locked(body) && joints.hasAny(body);
+        exposure_[body] = held ? ContactExposure::Touched : ContactExposure::Free;
     }
     for (const PropagationRow& row : rows_) {
         const RowMasses masses = massesOf(bodies, row);
@@ -329,7 +318,7 @@ void Propagation::relax(Bodies& bodies, JointSet& joints, JointPass pass,
     for (int k = 0; k <= kRelaxPasses; ++k) {
         if (k > 0) {
             forEachRow(Stage::Contacts, settings.contactPasses + k, [&](PropagationRow& row) {
-                if (isJointed(row)) {
+                if (row.held) {
                     solveRow(row, bodies, massesOf(bodies, row), 1, 1 / pass.h);
                 }
             });
@@ -367,7 +356,6 @@ void Propagation::solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints
         resolveCollisions(bodies, store, step, h);
         integrateVelocities(bodies, bodies.awake, h);
         pass.biased = true;
-        markJointed(bodies, joints);
         makeRows(bodies, store, joints.lists(), step, h);
         joints.warmStart(bodies, pass);
         resolveContacts(bodies, joints, pass, settings);
@@ -376,7 +364,7 @@ void Propagation::solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints
             propagateShock(bodies, settings, 1 / h);
         }
         separate(bodies, step, h);
-        markExposure(bodies, h, step.tolerances.slop);
+        markExposure(bodies, joints.lists(), h, step.tolerances.slop);
         integrateMoves(bodies, bodies.awake, exposure_, h);
         joints.correct(bodies, pass, kCorrectionPasses, step.tolerances.slop);
         pass.biased = false;

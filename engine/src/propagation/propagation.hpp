@@ -102,12 +102,8 @@ private:
     void sortByLevel();
     void propagateShock(Bodies& bodies, const PropagationSettings& settings, Real invH);
     void separate(Bodies& bodies, const Step& step, Real h);
-    void markJointed(const Bodies& bodies, const JointSet& joints);
-    bool isJointed(const PropagationRow& row) const {
-        return (jointed_[row.a] | jointed_[row.b]) != 0;
-    }
     RowMasses frozenMasses(const Bodies& bodies, const PropagationRow& row) const;
-    void markExposure(const Bodies& bodies, Real h, Real slop);
+    void markExposure(const Bodies& bodies, const JointLists& joints, Real h, Real slop);
     void relax(Bodies& bodies, JointSet& joints, JointPass pass,
                const PropagationSettings& settings);
     void store(ContactStore& contacts);
@@ -133,7 +129,6 @@ private:
     std::vector<std::uint32_t> struckEnds_; // by island: its end in struck_
     std::vector<SeparationShift> parting_;  // by body
     std::vector<ContactExposure> exposure_; // by body
-    std::vector<std::uint8_t> jointed_;     // by body that moves: 1 with a joint
     std::vector<std::uint32_t> node_;       // by body: its node in the contact graph
     std::vector<std::uint32_t> immovable_;  // nodes
     std::vector<SupportEdge> supports_;     // between nodes

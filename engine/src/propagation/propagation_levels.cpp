@@ -23,7 +23,6 @@ void Propagation::makeRoom(const Bodies& bodies) {
     resizeByBody(numbers_, bodies);
     resizeByBody(parting_, bodies);
     resizeByBody(exposure_, bodies);
-    resizeByBody(jointed_, bodies);
     resizeByBody(node_, bodies);
     resizeByBody(levelOf_, bodies);
 }

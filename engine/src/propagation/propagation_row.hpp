@@ -35,6 +35,7 @@ struct PropagationRow {
     Real rollingLever;   // m; 0 without rolling resistance
     Real rolling;        // N m s, sum so far
     std::uint32_t level; // the higher level of its bodies; see ShockLevels
+    bool held;           // a joint holds one of its bodies, see isJointed()
 
     Real load() const; // N s, normal impulse of all passes and both points
 };
