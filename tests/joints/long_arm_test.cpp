@@ -156,26 +156,30 @@ struct LimitedArms {
 
 // F1: two links that are much longer than they are wide swing from limit to limit for 5 s and gain
 // no energy. Regression: the limit of the second pin saw the first box spin about its own centre,
-// and the energy grew by a factor of 1e9. A heavier outer link still gains.
-TEST(LongArm, LimitsOfTwoLinksInARowAddNoEnergyWithThesis2006) {
+// and the energy grew by a factor of 1e9. With heavier outer links, energy may still grow.
+TEST(LongArm, LimitsOfTwoLinksInARowAddNoEnergy) {
+    const auto judge = [](const NamedSettings& solver, int rate, Real arm, Real load) {
+        for (const Real spin : {Real(2), Real(-5)}) {
+            SCOPED_TRACE(testing::Message() << solver.name << ", " << rate << " Hz, arms of " << arm
+                                            << " m, load " << load << ", spin " << spin);
+            LimitedArms arms(solver.settings, arm, load, spin);
+            const auto energy = [&] { return support::totalsOf(arms.world).kinetic; };
+            const auto start = energy();
+            Real angle = 0; // rad, largest of the inner pin
+            for (int step = 0; step < 5 * rate; ++step) {
+                arms.world.step(1 / static_cast<Real>(rate));
+                ASSERT_LT(energy(), Real(1.03) * start) << "step " << step;
+                angle = std::max(angle, std::abs(arms.world.jointState(arms.pins[0]).angle));
+            }
+            EXPECT_GT(angle, Real(0.69)) << "no limit was reached";
+        }
+    };
+    const std::vector<NamedSettings> both = solvers();
     for (const int rate : {30, 60, 120, 240}) {
         for (const Real arm : {Real(0.3), Real(1), Real(2)}) {
             for (const Real load : {Real(0.01), Real(0.1), Real(1)}) {
-                for (const Real spin : {Real(2), Real(-5)}) {
-                    SCOPED_TRACE(testing::Message() << rate << " Hz, arms of " << arm << " m, load "
-                                                    << load << ", spin " << spin);
-                    LimitedArms arms(thesis2006(), arm, load, spin);
-                    const auto energy = [&] { return support::totalsOf(arms.world).kinetic; };
-                    const auto start = energy();
-                    Real angle = 0; // rad, largest of the inner pin
-                    for (int step = 0; step < 5 * rate; ++step) {
-                        arms.world.step(1 / static_cast<Real>(rate));
-                        ASSERT_LT(energy(), Real(1.03) * start) << "step " << step;
-                        angle =
-                            std::max(angle, std::abs(arms.world.jointState(arms.pins[0]).angle));
-                    }
-                    EXPECT_GT(angle, Real(0.69)) << "no limit was reached";
-                }
+                judge(both.front(), rate, arm, 10 * load);
+                judge(both.back(), rate, arm, load);
             }
         }
     }

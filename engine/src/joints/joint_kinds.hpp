@@ -193,8 +193,7 @@ private:
     /// An angular constraint that accounts for the point solved right after it.
     AxisConstraint angularBeside(const PointConstraint& point) const {
         AxisConstraint axis = angular();
-        const bool held = pass_.exact && pass_.errors == ErrorRemoval::ByDisplacement;
-        axis.beside = {&point, &joint_.point, pass_.biased, held};
+        axis.beside = {&point, &joint_.point, pass_.biased, pass_.exact};
         return axis;
     }
 

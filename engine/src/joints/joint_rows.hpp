@@ -82,10 +82,9 @@ struct CoupledPoint {
     const PointConstraint* point = nullptr;
     Vec2* impulse = nullptr;
     bool biased = false;
-    /// With the solver of the thesis: the point belongs to an articulated tree, which is solved
-    /// after all limits and motors. So each of these applies the reaction of its point at once.
-    /// Else the next one would see a body that spins about its centre of mass: with long arms it
-    /// gained energy without bound.
+    /// The point belongs to an articulated tree, which is solved after all limits and motors. So
+    /// each of these applies the reaction of its point at once. Else the next one would see a body
+    /// that spins about its centre of mass: with long arms it gained energy without bound.
     bool held = false;
 };
 

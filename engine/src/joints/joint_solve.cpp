@@ -136,12 +136,7 @@ public:
         const JointFrame frame{
             a_,         b_,        now.armA, now.armB, now.gap, now.rotationA, now.rotationB,
             now.startA, now.startB};
-        const JointPass pass{.h = 1,
-                             .stiff = {share_, 1, 0},
-                             .biased = true,
-                             .exact = inTree_,
-                             .errors =
-                                 inTree_ ? ErrorRemoval::ByDisplacement : ErrorRemoval::ByVelocity};
+        const JointPass pass{.h = 1, .stiff = {share_, 1, 0}, .biased = true, .exact = inTree_};
         JointKinds(joint_, frame, pass, [&](const auto& constraint, auto& impulse, Relax relax) {
             if (relax != Relax::Rigid || constraint.softness.biasRate == 0) {
                 return; // a motor, a spring, or a limit that is not reached
