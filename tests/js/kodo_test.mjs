@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
+import { gzipSync } from "node:zlib";
 
 const kodo = await import(pathToFileURL(`${process.env.KODO_NPM}/kodo.js`).href);
 const { World, box, circle, withFriction } = kodo;
@@ -316,4 +317,9 @@ test("a World that is left is freed", () => {
     const world = pyramid(10);
     world.destroy();
   }
+});
+
+test("kodo.wasm has less than 400 kB by gzip", () => {
+  const size = gzipSync(readFileSync(`${process.env.KODO_NPM}/kodo.wasm`), { level: 9 }).length;
+  assert.ok(size < 400e3, `${size} bytes`);
 });

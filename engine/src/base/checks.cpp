@@ -4,10 +4,12 @@
 #include <kodo/error.hpp>
 
 #include <algorithm>
+#include <array>
+#include <clocale>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <limits>
-#include <locale>
-#include <sstream>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
@@ -18,26 +20,29 @@ std::optional<Problem> firstOf(std::initializer_list<std::optional<Problem>> che
     return first == checks.end() ? std::nullopt : *first;
 }
 
-/// A value just beyond a limit must not print as the limit. Uses a stream, since libc++ 13 has no
-/// std::to_chars for floats. Streams of libc++ do not read subnormal numbers, which are printed
-/// with all digits.
+std::string withPoint(std::string text, const std::string& point) {
+    const std::size_t at = text.find(point);
+    return at == std::string::npos ? text : text.replace(at, point.size(), ".");
+}
+
+/// A value just beyond a limit must not print as the limit. Streams would bring all locales of C++
+/// into kodo.wasm, and libc++ 13 has no std::to_chars for floats.
 std::string textOf(Real value) {
     if (std::isnan(value)) {
         return "nan"; // for either sign
     }
-    std::stringstream text;
-    text.imbue(std::locale::classic()); // decimal point in any locale
-    Real back = 0;
+    const auto back = [](const char* text) {
+        return sizeof(Real) == sizeof(float) ? static_cast<Real>(std::strtof(text, nullptr))
+                                             : static_cast<Real>(std::strtod(text, nullptr));
+    };
+    std::array<char, 32> text{};
     for (int digits = 6; digits <= std::numeric_limits<Real>::max_digits10; ++digits) {
-        text.str("");
-        text.clear();
-        text.precision(digits);
-        text << value;
-        if (std::isinf(value) || (text >> back && back == value)) {
+        std::snprintf(text.data(), text.size(), "%.*g", digits, static_cast<double>(value));
+        if (back(text.data()) == value) {
             break;
         }
     }
-    return text.str();
+    return withPoint(text.data(), std::localeconv()->decimal_point);
 }
 
 std::string textOf(Real value, const char* unit) {

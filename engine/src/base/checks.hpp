@@ -20,7 +20,9 @@ inline void refuse(const std::optional<Problem>& problem) {
 /// The first problem of several checks. All of them are made, so none may need an earlier one.
 std::optional<Problem> firstOf(std::initializer_list<std::optional<Problem>> checks);
 
-/// The shortest of 6 or more digits that reads back as the same number.
+/// A number as the C library prints it in a locale with the given decimal point, with ".".
+std::string withPoint(std::string text, const std::string& point);
+/// The shortest of 6 or more digits that reads back as the same number, with "." in any locale.
 std::string textOf(Real value);
 /// "2 m"; "2" for a number without a unit.
 std::string textOf(Real value, const char* unit);
