@@ -151,6 +151,29 @@ TEST(Mover, PushesWithABoundedForce) {
     EXPECT_NEAR(world[crate].velocity().x, Real(0.5) * (80 - 50) / 10, 0.15);
 }
 
+// Weightless: a crate whose side it meets at full height gets no spin, to the left and to the
+// right.
+TEST(Mover, PushesAFlatSideInItsMiddle) {
+    for (const Real side : {Real(-1), Real(1)}) {
+        for (const Real force : {Real(1), Real(1000)}) {
+            for (const int rate : {30, 60, 240}) {
+                World world;
+                const BodyId crate =
+                    world.add({.shape = Box{1, 1}, .position = {side * Real(1.5), 0}});
+                Mover mover{.pushForce = force};
+                const Real dt = Real(1) / static_cast<Real>(rate);
+                for (int i = 0; i < 10 * rate; ++i) {
+                    world.step(dt);
+                    mover.move(world, {2 * side, 0}, dt);
+                }
+                EXPECT_NEAR(world[crate].velocity().x, 2 * side, 1e-3) << force << ", " << rate;
+                EXPECT_NEAR(world[crate].rotation().angle(), 0, 1e-3) << force << ", " << rate;
+                EXPECT_NEAR(world[crate].position().y, 0, 1e-3) << force << ", " << rate;
+            }
+        }
+    }
+}
+
 TEST(Mover, LoadsASeesaw) {
     World world{{.gravity = {0, -10}}};
     const BodyId post =

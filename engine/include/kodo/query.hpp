@@ -65,7 +65,8 @@ KODO_API std::vector<RaySpan> raySpans(const World& world, Vec2 from, Vec2 to,
                                        std::span<const BodyId> except = {});
 
 /// The first part that a shape meets when it moves by `displacement` without rotation; {0, 0} is
-/// permitted. Throws for a shape that check() refuses and for a rotation that is not of length 1.
+/// permitted. The point of a flat contact is its middle. Throws for a shape that check() refuses
+/// and for a rotation that is not of length 1.
 KODO_API std::optional<QueryHit> shapeCast(const World& world, const Shape& shape,
                                            const Transform& start, Vec2 displacement,
                                            CollisionFilter which = {},

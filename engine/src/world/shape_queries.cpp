@@ -79,6 +79,14 @@ std::optional<CastHit> hitOn(const CastPath& path, const ConvexShape& moving,
     return turningHit(path, moving, target, pose, std::min(slop / 8, gap / 2));
 }
 
+/// The middle of a flat contact; else the point of the hit. Either end of it touches, and the end
+/// that is found would depend on the direction.
+Vec2 middleOf(const CastHit& hit, const Manifold& touch, const Transform& pose) {
+    const bool isFlat = touch.count == 2 && dot(touch.normal, hit.normal) > Real(0.999);
+    return isFlat ? pose.position + Real(0.5) * (touch.points[0].armA + touch.points[1].armA)
+                  : hit.point;
+}
+
 std::optional<QueryHit> firstHit(const World& world, std::span<const ConvexShape> convexes,
                                  const CastPath& cast, CollisionFilter which,
                                  std::span<const BodyId> except) {
@@ -95,11 +103,14 @@ std::optional<QueryHit> firstHit(const World& world, std::span<const ConvexShape
                              Real(0.5) * box.extent());
         scope.forParts([&](const Aabb& other) { return path(other, limitOf(best)); },
                        [&](std::uint32_t body, std::uint32_t part) {
-                           const auto hit = hitOn(cast, convex, scope.convex(body, part),
-                                                  scope.pose(body), slop);
-                           if (hit) {
-                               keepFirst(best, {scope.idOf(body), static_cast<std::uint16_t>(part),
-                                                hit->fraction, hit->point, hit->normal});
+                           const Transform& pose = scope.pose(body);
+                           const ConvexShape& target = scope.convex(body, part);
+                           if (const auto hit = hitOn(cast, convex, target, pose, slop)) {
+                               const Manifold touch =
+                                   collide(target, pose, convex, cast.at(hit->fraction), slop / 16);
+                               keepFirst(best,
+                                         {scope.idOf(body), static_cast<std::uint16_t>(part),
+                                          hit->fraction, middleOf(*hit, touch, pose), hit->normal});
                            }
                        });
     }
