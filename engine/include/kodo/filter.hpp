@@ -15,10 +15,8 @@ using Flags = std::uint64_t;
 inline constexpr Flags kUserFlags = 0xffff'ffff'0000'ffff;
 /// The categories by number, 0 to 47: bits 0 to 15, then 32 to 63. Throws BadDefinition for others.
 constexpr Flags category(unsigned number) {
-    if (number > 47) {
-        throw BadDefinition({"category", "must be from 0 to 47"});
-    }
-    return Flags{1} << (number < 16 ? number : number + 16);
+    return number < 48 ? Flags{1} << (number < 16 ? number : number + 16)
+                       : throw BadDefinition({"category", "must be from 0 to 47"});
 }
 inline constexpr Flags kLockMove = 1u << 16;   // motion lock: infinite mass
 inline constexpr Flags kLockRotate = 1u << 17; // motion lock: infinite moment of inertia

@@ -84,8 +84,7 @@ void fillLane(SurfaceBlock& surface, ContactBlock& block, std::size_t lane, cons
 }
 
 void applyImpulses(Bodies& bodies, const ContactLanes::Place& at, Real share) {
-    const ContactBlock& block = at.block;
-    const std::size_t lane = at.lane;
+    const auto& [block, lane] = at;
     const Vec2 n{block.normalX[lane], block.normalY[lane]};
     const Real first = share * block.points[0].impulse[lane];
     const Real second = share * block.points[1].impulse[lane];

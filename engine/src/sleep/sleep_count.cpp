@@ -84,7 +84,6 @@ void SleepSystem::countCalm(Bodies& bodies, const StepSettings& settings,
     calm_.clear();
     calm_.reserve(bodies.record.capacity());
     const auto enough = static_cast<std::uint32_t>(settings.sleepSteps);
-    const std::uint32_t interval = sampleInterval(enough);
     for (const std::uint32_t body : bodies.awake) {
         SleepState& rest = bodies.sleep[body];
         const BodyGeometry& geometry = bodies.geometry(body);
@@ -100,7 +99,7 @@ void SleepSystem::countCalm(Bodies& bodies, const StepSettings& settings,
         } else {
             restartCount(rest, bodies.pose[body]);
         }
-        if (rest.calmSteps % interval == 0) {
+        if (rest.calmSteps % sampleInterval(enough) == 0) {
             rest.samples[1] =
                 std::exchange(rest.samples[0], {motion.velocity, motion.angularVelocity});
         }
