@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/difficulty.hpp>
-#include <support/draws.hpp>
 
 #include <array>
 
@@ -25,9 +24,6 @@ TEST(Difficulty, RankCorrelationOfKnownLists) {
 // Each skill of the scale clears at least as much of a wall as the one below it, within a tenth.
 // Six games of two minutes: with two games of one, one ball lost early weighs a tenth.
 TEST(Difficulty, SkillsRise) {
-    if (support::kSanitized) {
-        GTEST_SKIP() << "an average over many games, which runs no code of its own";
-    }
     const Level level = levelOf("bbbbbbbbbbbbbbb\nbbbbbbbbbbbbbbb\nbbbbbbbbbbbbbbb\n", 15000);
     const LevelDifficulty found = difficultyOf(level, 6, 7200);
     for (std::size_t i = 1; i < kSkills.size(); ++i) {
@@ -39,7 +35,7 @@ TEST(Difficulty, SkillsRise) {
 // A row of glass above a paddle that never moves: the ball comes back to it, or three are lost.
 TEST(Difficulty, ThePlayerWhoNeverMovesIsPlayedButIsNoSkill) {
     const Level level = levelOf("bbbbbbbbbbbbbbb\nbbbbbbbbbbbbbbb\nbbbbbbbbbbbbbbb\n", 15000);
-    const LevelDifficulty found = difficultyOf(level, 2, support::kSanitized ? 900 : 3600);
+    const LevelDifficulty found = difficultyOf(level, 2, 3600);
     EXPECT_EQ(found.absent.games, 2u);
     EXPECT_EQ(found.absent.won, 0u);
     EXPECT_GT(found.absent.cleared, 0);

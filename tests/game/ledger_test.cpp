@@ -14,7 +14,7 @@ using namespace apart;
 using kodo::Real;
 using kodo::Vec2;
 
-constexpr int kBreaksInPlay = support::kSanitized ? 1000 : support::draws(100000);
+constexpr int kBreaksInPlay = support::draws(100000);
 
 kodo::BasicVec2<double> inDouble(Vec2 v) {
     return {static_cast<double>(v.x), static_cast<double>(v.y)};
