@@ -130,6 +130,15 @@ TEST(CErrors, AValueWithoutItsFlagIsRefused) {
     body.mass.mass = 5;
     expectError(KODO_BAD_DEFINITION, ("hasMass" + sentence).c_str(),
                 kodo_addBody(world, &body, &id));
+    body.mass.hasCenter = false;
+    body.hasMass = true;
+    body.mass.inertia = 2;
+    expectError(KODO_BAD_DEFINITION, ("hasInertia" + sentence).c_str(),
+                kodo_addBody(world, &body, &id));
+    body.mass.inertia = 0;
+    body.mass.center = {1, 0};
+    expectError(KODO_BAD_DEFINITION, ("hasCenter" + sentence).c_str(),
+                kodo_addBody(world, &body, &id));
     kodo_JointId jointId{};
     kodo_JointDef joint = kodo_jointDef(KODO_PRISMATIC_JOINT);
     joint.prismatic.limits = {-1, 1};

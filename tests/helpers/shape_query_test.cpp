@@ -160,6 +160,38 @@ TEST(ShapeQueries, CollideGivesNormalAndSeparation) {
     EXPECT_TRUE(collide(world, Circle{Real(0.5)}, {{0, Real(0.8)}, {}}, Real(0.2)).empty());
 }
 
+// From all four sides, at two places: the middle of what two flat sides share. A tilted box still
+// tells its corner.
+TEST(ShapeQueries, TheHitOfAFlatContactIsItsMiddle) {
+    for (const Vec2 place : {Vec2{0, 0}, Vec2{60, -40}}) {
+        World world;
+        world.add({.shape = Box{2, 2}, .position = place});
+        for (const Primitive& shape :
+             {Primitive(Box{1, 1}), Primitive(Capsule{{0, Real(-0.5)}, {0, Real(0.5)}, Real(0.5)}),
+              Primitive(Polygon{{{Real(-0.5), Real(-0.5)},
+                                 {Real(0.5), Real(-0.5)},
+                                 {Real(0.5), Real(0.5)},
+                                 {Real(-0.5), Real(0.5)}}})}) {
+            for (int quarter = 0; quarter < 4; ++quarter) {
+                const Rot turn = Rot::fromAngle(static_cast<Real>(quarter) * Real(1.57079633));
+                const Vec2 from = place + turn * Vec2{-5, Real(0.8)}; // over the edge by 0.3
+                const auto hit = std::visit(
+                    [&](const auto& kind) {
+                        return shapeCast(world, kind, {from, turn}, turn * Vec2{10, 0});
+                    },
+                    shape);
+                ASSERT_TRUE(hit);
+                const Vec2 middle = place + turn * Vec2{-1, Real(0.65)};
+                EXPECT_NEAR(length(hit->point - middle), 0, 1e-3) << quarter;
+            }
+        }
+        const auto corner =
+            shapeCast(world, Box{1, 1}, {place + Vec2{-5, 0}, Rot::fromAngle(Real(0.1))}, {10, 0});
+        ASSERT_TRUE(corner);
+        EXPECT_GT(std::abs(corner->point.y - place.y), 0.4);
+    }
+}
+
 TEST(ShapeQueries, DistancesOfGivenBodies) {
     World world;
     const BodyId a = world.add({.shape = Compound{{Circle{1, {-9, 0}}, Circle{1}}}});

@@ -250,6 +250,12 @@ class Errors(unittest.TestCase):
                 box.group = group
         with self.assertRaisesRegex(ValueError, "user_data"):
             world.add(user_data=1 << 64)
+        with self.assertRaisesRegex(ValueError, "user_data"):
+            box.user_data = -1
+        with self.assertRaisesRegex(ValueError, "user_data"):
+            world.add_joint(kodo.MotorJoint(a=box.id, b=world.bodies[1].id, user_data=1 << 64))
+        with self.assertRaisesRegex(ValueError, "user_data"):
+            box.set_part(0, kodo.Part(kodo.Circle(1), user_data=-1))
         with self.assertRaises(AttributeError):
             world.gravty = (0, -10)
         with self.assertRaisesRegex(TypeError, "named by a Body or a BodyId, but is 7"):

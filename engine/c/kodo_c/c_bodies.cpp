@@ -53,7 +53,7 @@ kodo::BodyType bodyTypeFromC(kodo_BodyType type) {
 
 kodo::MassDef fromC(const kodo_MassDef& mass) {
     return {mass.mass, optionalFromC(mass.hasCenter, mass.center, "hasCenter"),
-            mass.hasInertia ? std::optional(mass.inertia) : std::nullopt};
+            optionalFromC(mass.hasInertia, mass.inertia, "hasInertia")};
 }
 
 kodo::BodyDef fromC(const kodo_BodyDef& def) {

@@ -142,6 +142,13 @@ kodo_QueryContact toC(const kodo::QueryContact& contact);
 kodo_ExplosionHit toC(const kodo::ExplosionHit& hit);
 kodo_Field toC(const kodo::FieldEntry& entry);
 
+inline kodo_Real fromC(kodo_Real value) {
+    return value;
+}
+
+inline bool isSet(kodo_Real value) {
+    return value != 0;
+}
 inline bool isSet(kodo_Vec2 value) {
     return value.x != 0 || value.y != 0;
 }

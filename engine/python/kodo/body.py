@@ -22,7 +22,7 @@ def _built(part: Part) -> Tuple[BuiltShape, c.Part]:
     built = BuiltShape(part.shape)
     which = to_filter(part.filter or Filter())
     return built, c.Part(built.struct, to_material(part.material), part.density,
-                         part.filter is not None, which, part.user_data)
+                         part.filter is not None, which, to_bits("user_data", part.user_data))
 
 
 class Body:

@@ -8,7 +8,7 @@ import math
 from typing import Any, List, NamedTuple, Optional, Tuple, Type, Union
 
 from . import _structs as c
-from .values import BodyId, JointId, Vec2, from_body_id, to_body_id, to_range
+from .values import BodyId, JointId, Vec2, from_body_id, to_bits, to_body_id, to_range
 
 Range = Tuple[float, float]
 
@@ -191,6 +191,8 @@ def _write(struct: Any, name: str, value: Any) -> None:
         struct.hasLimits, struct.limits = value is not None, to_range(value)
     elif name == "rack":
         struct.hasRack, struct.rack = value is not None, c.Vec2(*(value or (0.0, 0.0)))
+    elif name == "user_data":
+        struct.userData = to_bits(name, value)
     elif isinstance(value, BodyId):
         setattr(struct, name, to_body_id(value))
     elif isinstance(value, tuple):

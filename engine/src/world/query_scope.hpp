@@ -125,10 +125,10 @@ inline bool isBefore(const QueryHit& a, const QueryHit& b) { // total order: eac
 }
 
 /// Keeps the first of all hits.
-inline void keepFirst(std::optional<QueryHit>& best, const QueryHit& hit) {
-    if (!best || isBefore(hit, *best)) {
-        best = hit;
-    }
+inline bool keepFirst(std::optional<QueryHit>& best, const QueryHit& hit) {
+    const bool isFirst = !best || isBefore(hit, *best);
+    best = isFirst ? hit : best;
+    return isFirst;
 }
 
 inline Real limitOf(const std::optional<QueryHit>& best) {

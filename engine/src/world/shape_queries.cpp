@@ -79,12 +79,12 @@ std::optional<CastHit> hitOn(const CastPath& path, const ConvexShape& moving,
     return turningHit(path, moving, target, pose, std::min(slop / 8, gap / 2));
 }
 
-/// The middle of a flat contact; else the point of the hit. Either end of it touches, and the end
+/// Moves the point of a hit on a flat contact to its middle. Either end of it touches, and the end
 /// that is found would depend on the direction.
-Vec2 middleOf(const CastHit& hit, const Manifold& touch, const Transform& pose) {
-    const bool isFlat = touch.count == 2 && dot(touch.normal, hit.normal) > Real(0.999);
-    return isFlat ? pose.position + Real(0.5) * (touch.points[0].armA + touch.points[1].armA)
-                  : hit.point;
+void toMiddle(QueryHit& hit, const Manifold& touch, const Transform& pose) {
+    if (touch.count == 2 && dot(touch.normal, hit.normal) > Real(0.999)) {
+        hit.point = pose.position + Real(0.5) * (touch.points[0].armA + touch.points[1].armA);
+    }
 }
 
 std::optional<QueryHit> firstHit(const World& world, std::span<const ConvexShape> convexes,
@@ -105,12 +105,12 @@ std::optional<QueryHit> firstHit(const World& world, std::span<const ConvexShape
                        [&](std::uint32_t body, std::uint32_t part) {
                            const Transform& pose = scope.pose(body);
                            const ConvexShape& target = scope.convex(body, part);
-                           if (const auto hit = hitOn(cast, convex, target, pose, slop)) {
-                               const Manifold touch =
-                                   collide(target, pose, convex, cast.at(hit->fraction), slop / 16);
-                               keepFirst(best,
-                                         {scope.idOf(body), static_cast<std::uint16_t>(part),
-                                          hit->fraction, middleOf(*hit, touch, pose), hit->normal});
+                           const auto hit = hitOn(cast, convex, target, pose, slop);
+                           if (hit &&
+                               keepFirst(best, {scope.idOf(body), static_cast<std::uint16_t>(part),
+                                                hit->fraction, hit->point, hit->normal})) {
+                               const Transform at = cast.at(hit->fraction);
+                               toMiddle(*best, collide(target, pose, convex, at, slop / 16), pose);
                            }
                        });
     }
