@@ -16,6 +16,10 @@ ENGINE = (
     " continuous sleep world draw helpers"
 ).split()
 
+# Folders of game/apart/stage, lowest first: each may include the folders before it. The files
+# beside them, the application itself, may include all.
+STAGE = "canvas controls effects sound painters records play screens".split()
+
 # Public headers, engine/include/kodo/NAME.hpp, by the layer that they belong to. A folder of the
 # engine may include those of its own layer and of lower ones.
 PUBLIC = {
@@ -151,8 +155,19 @@ def check_user(owner, mark, include):
     return None
 
 
+def check_stage(folder, include):
+    """The message for a forbidden include within game/apart/stage, or None."""
+    folders = [re.match(r"(?:game/)?apart/stage/(\w*)", path) for path in (folder, include)]
+    own, other = (match and match[1] for match in folders)
+    if not own or other is None or other in STAGE[: STAGE.index(own) + 1]:
+        return None
+    return f"{own} must not include <{include}>"
+
+
 def check_include(folder, mark, include):
     """The message for a forbidden include, or None."""
+    if sentence := check_stage(folder, include):
+        return sentence
     owner = owner_of(folder)
     if owner is not None:
         engine = owner.startswith(("engine/src/", "engine/include/"))

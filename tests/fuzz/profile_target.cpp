@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Any text as a profile: it is refused with a sentence, or its text is stable.
-#include <apart/stage/profile_file.hpp>
+#include <apart/stage/records/profile_file.hpp>
 
 #include <fuzz/fuzz.hpp>
 

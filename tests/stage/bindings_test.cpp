@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <apart/stage/bindings.hpp>
-#include <apart/stage/profile_file.hpp>
+#include <apart/stage/controls/bindings.hpp>
+#include <apart/stage/records/profile_file.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Picture of buildings: previews, falls and results.
 #include <apart/core/assets.hpp>
-#include <apart/stage/block_painter.hpp>
-#include <apart/stage/hud.hpp>
-#include <apart/stage/layout.hpp>
-#include <apart/stage/level_preview.hpp>
+#include <apart/stage/canvas/layout.hpp>
+#include <apart/stage/painters/block_painter.hpp>
+#include <apart/stage/painters/hud.hpp>
+#include <apart/stage/painters/level_preview.hpp>
 
 #include <gtest/gtest.h>
 

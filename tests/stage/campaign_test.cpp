@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/assets.hpp>
-#include <apart/stage/campaign.hpp>
-#include <apart/stage/ending.hpp>
-#include <apart/stage/profile_file.hpp>
+#include <apart/stage/records/campaign.hpp>
+#include <apart/stage/records/profile_file.hpp>
+#include <apart/stage/screens/ending.hpp>
 
 #include <gtest/gtest.h>
 

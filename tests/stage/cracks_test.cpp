@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <apart/stage/cracks.hpp>
-#include <apart/stage/dice.hpp>
+#include <apart/stage/canvas/dice.hpp>
+#include <apart/stage/effects/cracks.hpp>
 
 #include <gtest/gtest.h>
 

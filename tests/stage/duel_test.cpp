@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Two players at one screen.
 #include <apart/front/held_keys.hpp>
-#include <apart/stage/duel.hpp>
+#include <apart/stage/screens/duel.hpp>
 #include <support/draws.hpp>
 
 #include <gtest/gtest.h>

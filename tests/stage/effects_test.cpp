@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/tuning.hpp>
-#include <apart/stage/layout.hpp>
+#include <apart/stage/canvas/layout.hpp>
 
 #include <gtest/gtest.h>
 

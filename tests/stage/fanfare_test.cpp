@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <apart/stage/fanfare.hpp>
-#include <apart/stage/recording.hpp>
+#include <apart/stage/records/recording.hpp>
+#include <apart/stage/sound/fanfare.hpp>
 
 #include <gtest/gtest.h>
 

@@ -2,13 +2,13 @@
 // What a fracture and a collapse show in their first frames.
 #include <apart/core/assets.hpp>
 #include <apart/core/tuning.hpp>
-#include <apart/stage/block_bounds.hpp>
-#include <apart/stage/collapse_camera.hpp>
-#include <apart/stage/debris.hpp>
-#include <apart/stage/hud.hpp>
-#include <apart/stage/layout.hpp>
-#include <apart/stage/level_preview.hpp>
-#include <apart/stage/time_scale.hpp>
+#include <apart/stage/canvas/layout.hpp>
+#include <apart/stage/effects/block_bounds.hpp>
+#include <apart/stage/effects/collapse_camera.hpp>
+#include <apart/stage/effects/debris.hpp>
+#include <apart/stage/effects/time_scale.hpp>
+#include <apart/stage/painters/hud.hpp>
+#include <apart/stage/painters/level_preview.hpp>
 
 #include <gtest/gtest.h>
 

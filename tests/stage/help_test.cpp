@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The help page: scenes that play themselves.
 #include <apart/core/tuning.hpp>
-#include <apart/stage/help.hpp>
-#include <apart/stage/inset_canvas.hpp>
-#include <apart/stage/layout.hpp>
+#include <apart/stage/canvas/inset_canvas.hpp>
+#include <apart/stage/canvas/layout.hpp>
+#include <apart/stage/screens/help.hpp>
 #include <support/draws.hpp>
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/tuning.hpp>
-#include <apart/stage/input_mapper.hpp>
+#include <apart/stage/controls/input_mapper.hpp>
 
 #include <gtest/gtest.h>
 

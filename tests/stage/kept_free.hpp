@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <apart/stage/block_bounds.hpp>
-#include <apart/stage/canvas.hpp>
+#include <apart/stage/canvas/canvas.hpp>
+#include <apart/stage/effects/block_bounds.hpp>
 
 #include <variant>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Palettes and flashes: what a player with other eyes needs.
 #include <apart/core/tuning.hpp>
-#include <apart/stage/palette.hpp>
+#include <apart/stage/canvas/palette.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/assets.hpp>
-#include <apart/stage/letterforms.hpp>
+#include <apart/stage/canvas/letterforms.hpp>
 
 #include <gtest/gtest.h>
 

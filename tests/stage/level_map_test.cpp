@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <apart/stage/level_map.hpp>
-#include <apart/stage/recording.hpp>
-#include <apart/stage/theme_look.hpp>
+#include <apart/stage/canvas/theme_look.hpp>
+#include <apart/stage/records/recording.hpp>
+#include <apart/stage/screens/level_map.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The level of a file that is edited while the game runs.
 #include <apart/stage/own_levels.hpp>
-#include <apart/stage/profile_file.hpp>
-#include <apart/stage/replay_store.hpp>
+#include <apart/stage/records/profile_file.hpp>
+#include <apart/stage/records/replay_store.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <apart/stage/menu.hpp>
-#include <apart/stage/recording.hpp>
+#include <apart/stage/records/recording.hpp>
+#include <apart/stage/screens/menu.hpp>
 
 #include <gtest/gtest.h>
 

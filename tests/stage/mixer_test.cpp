@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The sound of the game, as samples.
 #include <apart/core/assets.hpp>
-#include <apart/stage/mixer.hpp>
-#include <apart/stage/synth.hpp>
+#include <apart/stage/sound/mixer.hpp>
+#include <apart/stage/sound/synth.hpp>
 #include <support/draws.hpp>
 
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <apart/stage/backdrop.hpp>
-#include <apart/stage/hud.hpp>
-#include <apart/stage/layout.hpp>
-#include <apart/stage/marks.hpp>
-#include <apart/stage/recording.hpp>
-#include <apart/stage/theme_look.hpp>
+#include <apart/stage/canvas/layout.hpp>
+#include <apart/stage/canvas/marks.hpp>
+#include <apart/stage/canvas/theme_look.hpp>
+#include <apart/stage/painters/backdrop.hpp>
+#include <apart/stage/painters/hud.hpp>
+#include <apart/stage/records/recording.hpp>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // What the panel and the questions of a game say.
 #include <apart/core/daily.hpp>
 #include <apart/core/endless.hpp>
-#include <apart/stage/palette.hpp>
+#include <apart/stage/canvas/palette.hpp>
 
 #include <gtest/gtest.h>
 

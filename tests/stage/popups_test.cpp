@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <apart/stage/layout.hpp>
-#include <apart/stage/popups.hpp>
+#include <apart/stage/canvas/layout.hpp>
+#include <apart/stage/effects/popups.hpp>
 #include <support/random_numbers.hpp>
 
 #include <gtest/gtest.h>

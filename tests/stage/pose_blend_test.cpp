@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <apart/stage/pose_blend.hpp>
+#include <apart/stage/canvas/pose_blend.hpp>
 
 #include <gtest/gtest.h>
 

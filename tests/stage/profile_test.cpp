@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <apart/stage/profile_file.hpp>
+#include <apart/stage/records/profile_file.hpp>
 #include <support/folder_test.hpp>
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/endless.hpp>
-#include <apart/stage/hud.hpp>
-#include <apart/stage/results.hpp>
-#include <apart/stage/statistics_page.hpp>
+#include <apart/stage/painters/hud.hpp>
+#include <apart/stage/screens/results.hpp>
+#include <apart/stage/screens/statistics_page.hpp>
 
 #include <gtest/gtest.h>
 

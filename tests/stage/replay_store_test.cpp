@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <apart/stage/replay_store.hpp>
+#include <apart/stage/records/replay_store.hpp>
 #include <support/folder_test.hpp>
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <apart/stage/hud.hpp>
-#include <apart/stage/score_book.hpp>
+#include <apart/stage/painters/hud.hpp>
+#include <apart/stage/records/score_book.hpp>
 
 #include <gtest/gtest.h>
 

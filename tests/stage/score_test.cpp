@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The written music of the themes.
-#include <apart/stage/music.hpp>
-#include <apart/stage/score.hpp>
-#include <apart/stage/synth.hpp>
+#include <apart/stage/sound/music.hpp>
+#include <apart/stage/sound/score.hpp>
+#include <apart/stage/sound/synth.hpp>
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 #include <apart/core/assets.hpp>
 #include <apart/core/daily.hpp>
 #include <apart/core/endless.hpp>
-#include <apart/stage/replay_store.hpp>
-#include <apart/stage/show_file.hpp>
+#include <apart/stage/play/show_file.hpp>
+#include <apart/stage/records/replay_store.hpp>
 #include <support/folder_test.hpp>
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <apart/stage/recording.hpp>
-#include <apart/stage/sound_cues.hpp>
-#include <apart/stage/synth.hpp>
+#include <apart/stage/records/recording.hpp>
+#include <apart/stage/sound/sound_cues.hpp>
+#include <apart/stage/sound/synth.hpp>
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include <apart/core/bot.hpp>
 #include <apart/core/tuning.hpp>
-#include <apart/stage/recording.hpp>
+#include <apart/stage/records/recording.hpp>
 #include <apart/stage/stage.hpp>
 
 #include <game/level_of_glass.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <apart/stage/palette.hpp>
+#include <apart/stage/canvas/palette.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <apart/stage/letterforms.hpp>
-#include <apart/stage/recording.hpp>
+#include <apart/stage/canvas/letterforms.hpp>
+#include <apart/stage/records/recording.hpp>
 
 #include <algorithm>
 #include <cmath>

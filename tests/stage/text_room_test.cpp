@@ -3,9 +3,9 @@
 #include <apart/core/assets.hpp>
 #include <apart/core/medals.hpp>
 #include <apart/core/tuning.hpp>
-#include <apart/stage/hud.hpp>
-#include <apart/stage/layout.hpp>
-#include <apart/stage/results.hpp>
+#include <apart/stage/canvas/layout.hpp>
+#include <apart/stage/painters/hud.hpp>
+#include <apart/stage/screens/results.hpp>
 #include <support/draws.hpp>
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <apart/stage/profile_file.hpp>
-#include <apart/stage/replay_store.hpp>
+#include <apart/stage/records/profile_file.hpp>
+#include <apart/stage/records/replay_store.hpp>
 #include <support/folder_test.hpp>
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <apart/stage/controls.hpp>
+#include <apart/stage/controls/controls.hpp>
 
 #include <array>
 

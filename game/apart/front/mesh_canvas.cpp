@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <apart/front/mesh_canvas.hpp>
-#include <apart/stage/layout.hpp>
-#include <apart/stage/letterforms.hpp>
+#include <apart/stage/canvas/layout.hpp>
+#include <apart/stage/canvas/letterforms.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <apart/stage/canvas.hpp>
+#include <apart/stage/canvas/canvas.hpp>
 
 #include <kodo_draw/camera.hpp>
 #include <kodo_draw/mesh.hpp>

@@ -5,9 +5,9 @@
 #include <apart/core/medals.hpp>
 #include <apart/front/setup.hpp>
 #include <apart/stage/own_levels.hpp>
-#include <apart/stage/profile_file.hpp>
-#include <apart/stage/replay_store.hpp>
-#include <apart/stage/show_file.hpp>
+#include <apart/stage/play/show_file.hpp>
+#include <apart/stage/records/profile_file.hpp>
+#include <apart/stage/records/replay_store.hpp>
 
 #include <algorithm>
 #include <chrono>

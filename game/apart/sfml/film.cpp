@@ -4,8 +4,8 @@
 #include <apart/core/tuning.hpp>
 #include <apart/sfml/film.hpp>
 #include <apart/sfml/sfml_canvas.hpp>
-#include <apart/stage/backdrop.hpp>
-#include <apart/stage/layout.hpp>
+#include <apart/stage/canvas/layout.hpp>
+#include <apart/stage/painters/backdrop.hpp>
 
 #include <SFML/Graphics/RenderTexture.hpp>
 

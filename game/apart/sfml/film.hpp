@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <apart/stage/rerun.hpp>
+#include <apart/stage/play/rerun.hpp>
 
 #include <string>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <apart/sfml/inspector.hpp>
-#include <apart/stage/layout.hpp>
+#include <apart/stage/canvas/layout.hpp>
 #include <kodo_sfml/world_painter.hpp>
 
 #include <fmt/format.h>

@@ -9,8 +9,8 @@
 #include <apart/sfml/sfml_canvas.hpp>
 #include <apart/sfml/sfml_controls.hpp>
 #include <apart/sfml/sfml_speaker.hpp>
-#include <apart/stage/layout.hpp>
-#include <apart/stage/profile_file.hpp>
+#include <apart/stage/canvas/layout.hpp>
+#include <apart/stage/records/profile_file.hpp>
 #include <apart/stage/stage.hpp>
 #include <kodo_sfml/display.hpp>
 #include <kodo_sfml/window.hpp>

@@ -3,7 +3,7 @@
 
 #include <apart/front/held_keys.hpp>
 #include <apart/sfml/sfml_canvas.hpp>
-#include <apart/stage/controls.hpp>
+#include <apart/stage/controls/controls.hpp>
 #include <kodo_sfml/window.hpp>
 
 #include <SFML/Window/Event.hpp>

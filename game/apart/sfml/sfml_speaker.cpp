@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <apart/sfml/sfml_speaker.hpp>
-#include <apart/stage/synth.hpp>
+#include <apart/stage/sound/synth.hpp>
 
 #include <algorithm>
 #include <cstdlib>

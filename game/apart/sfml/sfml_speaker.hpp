@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <apart/stage/mixer.hpp>
+#include <apart/stage/sound/mixer.hpp>
 
 #include <SFML/Audio/SoundStream.hpp>
 

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <apart/stage/campaign.hpp>
-#include <apart/stage/confirm.hpp>
-#include <apart/stage/duel.hpp>
-#include <apart/stage/editor_screen.hpp>
-#include <apart/stage/help.hpp>
-#include <apart/stage/hud.hpp>
-#include <apart/stage/input_mapper.hpp>
-#include <apart/stage/key_screen.hpp>
-#include <apart/stage/level_map.hpp>
-#include <apart/stage/menus.hpp>
-#include <apart/stage/reload.hpp>
-#include <apart/stage/session.hpp>
-#include <apart/stage/theatre.hpp>
+#include <apart/stage/controls/input_mapper.hpp>
+#include <apart/stage/painters/hud.hpp>
+#include <apart/stage/play/session.hpp>
+#include <apart/stage/records/campaign.hpp>
+#include <apart/stage/records/theatre.hpp>
+#include <apart/stage/screens/confirm.hpp>
+#include <apart/stage/screens/duel.hpp>
+#include <apart/stage/screens/editor_screen.hpp>
+#include <apart/stage/screens/help.hpp>
+#include <apart/stage/screens/key_screen.hpp>
+#include <apart/stage/screens/level_map.hpp>
+#include <apart/stage/screens/menus.hpp>
+#include <apart/stage/screens/reload.hpp>
 
 #include <functional>
 #include <memory>

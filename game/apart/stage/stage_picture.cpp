@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/endless.hpp>
 #include <apart/core/tuning.hpp>
-#include <apart/stage/backdrop.hpp>
-#include <apart/stage/ending.hpp>
-#include <apart/stage/help.hpp>
-#include <apart/stage/layout.hpp>
-#include <apart/stage/logo.hpp>
-#include <apart/stage/palette.hpp>
-#include <apart/stage/results.hpp>
+#include <apart/stage/canvas/layout.hpp>
+#include <apart/stage/canvas/palette.hpp>
+#include <apart/stage/painters/backdrop.hpp>
+#include <apart/stage/painters/logo.hpp>
+#include <apart/stage/screens/ending.hpp>
+#include <apart/stage/screens/help.hpp>
+#include <apart/stage/screens/results.hpp>
+#include <apart/stage/screens/statistics_page.hpp>
+#include <apart/stage/screens/title.hpp>
 #include <apart/stage/stage.hpp>
-#include <apart/stage/statistics_page.hpp>
-#include <apart/stage/title.hpp>
 
 #include <fmt/format.h>
 

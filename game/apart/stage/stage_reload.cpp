@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <apart/stage/hud.hpp>
-#include <apart/stage/reload.hpp>
+#include <apart/stage/painters/hud.hpp>
+#include <apart/stage/screens/reload.hpp>
 #include <apart/stage/stage.hpp>
 
 #include <fmt/format.h>

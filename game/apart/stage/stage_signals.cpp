@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/tuning.hpp>
-#include <apart/stage/hud.hpp>
+#include <apart/stage/painters/hud.hpp>
 #include <apart/stage/stage.hpp>
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <apart/stage/synth.hpp>
+#include <apart/stage/sound/synth.hpp>
 #include <apart/web/web_speaker.hpp>
 
 #include <emscripten/emscripten.h>

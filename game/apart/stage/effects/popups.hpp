@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <apart/stage/canvas/canvas.hpp>
+#include <apart/stage/canvas/layout.hpp>
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace apart {
+
+/// Text that rises and fades.
+struct Popup {
+    std::string text;
+    Vec2 place; // m; centre of the base line at age 0
+    Color color{};
+    Real height = 0; // m, of the letters
+    int points = 0;  // points shown, 0: a text without points
+    int age = 0;     // ticks
+    Vec2 origin{};   // m, set by Popups: the place wanted
+
+    /// Current centre of the base line (m).
+    Vec2 placeNow() const;
+    /// The same, moved into a part of the field (m) if need be.
+    Vec2 placeIn(const Aabb& shown) const;
+    /// Current bounding box of the text (m).
+    Aabb box() const;
+    /// Remaining opacity, 0..1.
+    float left() const;
+};
+
+/// All visible popups, placed without overlap.
+class Popups {
+public:
+    /// `room`: the part of the field for all popups (m).
+    explicit Popups(const Aabb& room = layout::kField) : room_(room) {}
+
+    /// Points are added to a recent popup nearby, which keeps a chain of breaks legible. A recent
+    /// nearby popup with the same text is kept instead of a new one. Other popups move up or down
+    /// until they overlap no popup. All positions stay inside the room.
+    /// A popup moves up, down or aside, as little as possible, off `busy` areas, where something
+    /// breaks, and over as few `solid` ones as possible, where something stands (m).
+    void add(Popup popup, std::span<const Aabb> busy = {}, std::span<const Aabb> solid = {});
+    void tick();
+
+    std::span<const Popup> all() const { return popups_; }
+
+private:
+    bool joins(const Popup& popup);
+    Vec2 heldIn(const Popup& popup) const;
+    Vec2 freePlace(Popup popup, std::span<const Aabb> busy, std::span<const Aabb> solid) const;
+
+    std::vector<Popup> popups_;
+    Aabb room_;
+};
+
+} // namespace apart

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+// The picture of the editor: the level, what is chosen, what the trials found, and the buttons.
+#include <apart/core/field.hpp>
+#include <apart/stage/canvas/layout.hpp>
+#include <apart/stage/painters/backdrop.hpp>
+#include <apart/stage/painters/hud.hpp>
+#include <apart/stage/screens/editor_screen.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace apart {
+
+namespace {
+
+constexpr Color kStandsColor{120, 214, 140};
+constexpr Color kMovesColor{255, 120, 96};
+constexpr double kNoticeSeconds = 6;
+
+std::vector<std::vector<Vec2>> cornersOf(const PlacedShape& placed) {
+    std::vector<std::vector<Vec2>> all;
+    for (const kodo::Polygon& polygon : polygonsOf(placed.shape)) {
+        std::vector<Vec2> corners;
+        for (const Vec2 corner : polygon.corners) {
+            corners.push_back(placed.frame * corner);
+        }
+        all.push_back(std::move(corners));
+    }
+    return all;
+}
+
+std::array<Vec2, 4> rectangleOf(const Aabb& box) {
+    return {box.lower, Vec2{box.upper.x, box.lower.y}, box.upper, Vec2{box.lower.x, box.upper.y}};
+}
+
+void paintShape(Canvas& canvas, const PlacedShape& placed, Color fill, Color rim) {
+    for (const std::vector<Vec2>& corners : cornersOf(placed)) {
+        canvas.polygon(corners, fill);
+        canvas.outline(corners, Real(0.06), rim);
+    }
+}
+
+void paintPart(Canvas& canvas, const Level& level, LevelPart part, Color color) {
+    if (part.of == LevelPart::Of::Block) {
+        return paintShape(canvas, placedShapeOf(level.freeBlocks[part.index]), faded(color, 0.3f),
+                          color);
+    }
+    const std::array<Vec2, 4> corners = rectangleOf(boundsOf(level, part));
+    canvas.polygon(corners, faded(color, 0.2f));
+    canvas.outline(corners, Real(0.06), color);
+}
+
+void paintButton(Canvas& canvas, const EditorButton& button, bool on, bool under) {
+    const std::array<Vec2, 4> frame = rectangleOf(button.place);
+    canvas.polygon(frame, on ? faded(palette::kAccent, 0.24f) : Color{255, 255, 255, 16});
+    if (on || under) {
+        canvas.outline(frame, Real(0.05), on ? palette::kAccent : palette::kQuiet);
+    }
+    const Vec2 middle = button.place.center();
+    const Vec2 size = button.place.extent();
+    if (button.act == EditorAct::Shape) {
+        FreeBlock block = usualBlock(static_cast<Form>(button.value));
+        const PlacedShape placed = placedShapeOf(block);
+        const Aabb bounds = boundsOf(placed);
+        const Real scale = std::min(Real(0.8) * size.x / bounds.extent().x,
+                                    Real(0.7) * size.y / bounds.extent().y);
+        for (std::vector<Vec2>& corners : cornersOf(placed)) {
+            for (Vec2& corner : corners) {
+                corner = middle + scale * (corner - bounds.center());
+            }
+            canvas.polygon(corners, on ? palette::kAccent : palette::kQuiet);
+        }
+        if (block.form == Form::Wheel) {
+            canvas.ring(middle, Real(0.15), Real(0.06), palette::kInk);
+        }
+        return;
+    }
+    Color color = on ? palette::kAccent : palette::kText;
+    if (button.act == EditorAct::Stuff) {
+        const Real inner = Real(0.08);
+        const Color stuff = canvas.palette().of(static_cast<Stuff>(button.value));
+        canvas.polygon(rectangleOf(button.place.grown(-inner)), stuff);
+        color = palette::kInk;
+    }
+    canvas.text(button.label, {middle.x, middle.y - Real(0.14)},
+                {button.act == EditorAct::Hold ? Real(0.3) : Real(0.42), color, Typeface::Plain,
+                 Align::Middle, size.x - Real(0.12)});
+}
+
+/// An arrow down to a place.
+void paintArrow(Canvas& canvas, Vec2 tip, Color color) {
+    canvas.line(tip + Vec2{0, Real(1.3)}, tip, Real(0.12), color);
+    canvas.line(tip + Vec2{Real(-0.35), Real(0.45)}, tip, Real(0.12), color);
+    canvas.line(tip + Vec2{Real(0.35), Real(0.45)}, tip, Real(0.12), color);
+}
+
+std::string titleOf(const EditDocument& document) {
+    return shortened(document.level()->title, 24) + (document.isSaved() ? "" : " *");
+}
+
+} // namespace
+
+bool EditorScreen::isOn(const EditorButton& button) const {
+    const bool block = tool_.tool == EditorTool::Block;
+    switch (button.act) {
+    case EditorAct::Select:
+        return tool_.tool == EditorTool::Select;
+    case EditorAct::Ledge:
+        return tool_.tool == EditorTool::Ledge;
+    case EditorAct::Rope:
+        return tool_.tool == EditorTool::Rope;
+    case EditorAct::Pin:
+        return tool_.tool == EditorTool::Pin;
+    case EditorAct::Stuff:
+        return block && tool_.stuff == static_cast<Stuff>(button.value);
+    case EditorAct::Hold:
+        return block && tool_.hold == static_cast<Support>(button.value);
+    case EditorAct::Shape:
+        return block && tool_.form == static_cast<Form>(button.value);
+    case EditorAct::Map:
+        return trials_.map.has_value();
+    default:
+        return false;
+    }
+}
+
+void EditorScreen::drawLamp(Canvas& canvas) const {
+    const StandingTrial& standing = *trials_.standing;
+    const auto& moved = standing.first();
+    const Color color = moved ? kMovesColor : standing.done() ? kStandsColor : palette::kAccent;
+    const Vec2 place{layout::kPanelLeft + Real(0.3), Real(15.85)};
+    canvas.disc(place, Real(0.26), lighter(color, 0.4f), color);
+    canvas.ring(place, Real(0.34), Real(0.06), darker(color, 0.4f));
+    const std::string text = moved ? fmt::format("moves after {:.1f} s",
+                                                 static_cast<double>(moved->tick) / kTicksPerSecond)
+                             : standing.done()
+                                 ? "it stands"
+                                 : fmt::format("standing for {:.0f} s", 60 * standing.share());
+    canvas.text(text, {layout::kPanelLeft + Real(0.8), Real(15.7)},
+                {Real(0.46), color, Typeface::Bold, Align::Left, Real(3.7)});
+    if (moved) {
+        paintArrow(canvas, moved->block.home.position + Vec2{0, Real(0.3)}, kMovesColor);
+    }
+}
+
+void EditorScreen::drawPanel(Canvas& canvas) const {
+    canvas.text(titleOf(document_), {layout::kPanelLeft, Real(17.3)},
+                {Real(0.6), palette::kText, Typeface::Bold, Align::Left, Real(4.5)});
+    const Level& level = *document_.level();
+    canvas.text(fmt::format("{}, {}",
+                            countText(static_cast<std::int64_t>(level.freeBlocks.size() +
+                                                                level.cells.size()),
+                                      "block"),
+                            countText(static_cast<std::int64_t>(level.links.size()), "joint")),
+                {layout::kPanelLeft, Real(16.65)},
+                {Real(0.42), palette::kQuiet, Typeface::Plain, Align::Left, Real(4.5)});
+    drawLamp(canvas);
+    for (const EditorButton& button : buttons()) {
+        paintButton(canvas, button, isOn(button), button.place.contains(hand_.pointer));
+    }
+    if (trials_.map) {
+        canvas.text(fmt::format("{} of {} serves", trials_.map->served(), ServeMap::kServes),
+                    {layout::kPanelLeft, Real(0.35)},
+                    {Real(0.42), palette::kText, Typeface::Plain, Align::Left, Real(4.5)});
+        const Aabb bar{{layout::kPanelLeft, Real(0.05)}, {layout::kPanelRight, Real(0.17)}};
+        const Vec2 end{bar.lower.x + static_cast<Real>(trials_.map->share()) * bar.extent().x,
+                       bar.upper.y};
+        canvas.rectangle(bar, {255, 255, 255, 40}, {255, 255, 255, 40});
+        canvas.rectangle({bar.lower, end}, palette::kAccent, palette::kAccent);
+    }
+}
+
+/// What the next press or release would do.
+void EditorScreen::drawHand(Canvas& canvas) const {
+    const Level& level = *document_.level();
+    const bool inside = layout::kField.contains(hand_.pointer);
+    const EditStep way = step();
+    for (const LevelPart part : hand_.chosen) {
+        paintPart(canvas, level, part, palette::kAccent);
+    }
+    if (way != EditStep{} && hand_.drags && tool_.tool == EditorTool::Select) {
+        const Level after = moved(level, hand_.chosen, way);
+        for (const LevelPart part : hand_.chosen) {
+            paintPart(canvas, after, part, palette::kText);
+        }
+    }
+    if (tool_.tool == EditorTool::Block && inside) {
+        FreeBlock block = blockInHand();
+        block.x += way.x;
+        block.y += way.y;
+        const Color color = canvas.palette().of(tool_.stuff);
+        paintShape(canvas, placedShapeOf(block), faded(color, 0.6f), palette::kText);
+    }
+    if (hand_.pressed && !hand_.drags && tool_.tool == EditorTool::Select) {
+        const Aabb box =
+            unite(Aabb{*hand_.pressed, *hand_.pressed}, Aabb{hand_.pointer, hand_.pointer});
+        canvas.outline(rectangleOf(box), Real(0.05), palette::kAccent);
+    }
+    const Vec2 from = hand_.pressed.value_or(hand_.pointer);
+    if (tool_.tool == EditorTool::Ledge && inside) {
+        const Vec2 half = hand_.pressed ? Vec2{} : Vec2{2, 0};
+        canvas.line(from - half, Vec2{hand_.pointer.x, from.y} + half, Real(0.4),
+                    faded(palette::kText, 0.5f));
+    }
+    if (tool_.tool == EditorTool::Rope && hand_.pressed) {
+        canvas.line(from, hand_.pointer, Real(0.06), palette::kAccent);
+    }
+    if (tool_.tool == EditorTool::Pin || tool_.tool == EditorTool::Rope) {
+        canvas.ring(hand_.pointer, Real(0.18), Real(0.06), palette::kAccent);
+    }
+}
+
+void EditorScreen::drawTrials(Canvas& canvas, double now) const {
+    const Level& level = *document_.level();
+    if (trials_.map) { // from blue over violet to red
+        const auto paint = [&](const PlacedShape& placed, std::size_t index) {
+            const auto share = static_cast<float>(trials_.map->clearedBy(index));
+            const Color color = mix({60, 110, 255}, {255, 50, 40}, share);
+            paintShape(canvas, placed, faded(color, 0.75f), color);
+            canvas.text(fmt::format("{:.0f}", 100 * share),
+                        boundsOf(placed).center() - Vec2{0, Real(0.12)},
+                        {Real(0.36), palette::kText, Typeface::Bold, Align::Middle, Real(0.7)});
+        };
+        for (std::size_t i = 0; i < level.cells.size(); ++i) {
+            paint({kodo::Box{kCellWidth, kCellHeight}, {centerOf(level.cells[i]), {}}}, i);
+        }
+        for (std::size_t i = 0; i < level.freeBlocks.size(); ++i) {
+            paint(placedShapeOf(level.freeBlocks[i]), level.cells.size() + i);
+        }
+    }
+    if (!trials_.forecast) {
+        return;
+    }
+    const float pulse = 0.35f + 0.1f * static_cast<float>(std::sin(4 * now));
+    for (const FallForecast::Fallen& fallen : trials_.forecast->fallen()) {
+        const PlacedShape home = placedShapeOf(level.freeBlocks[fallen.block]);
+        for (const std::vector<Vec2>& corners : cornersOf(home)) {
+            canvas.outline(corners, Real(0.08), kMovesColor);
+        }
+        if (fallen.block != trials_.forecast->struck()) {
+            paintShape(canvas, {home.shape, fallen.pose}, faded(kMovesColor, pulse),
+                       faded(kMovesColor, 0.7f));
+        }
+    }
+    const auto count = static_cast<std::int64_t>(trials_.forecast->fallen().size());
+    const std::string text = count == 0 ? (trials_.forecast->done() ? "nothing comes down" : "...")
+                                        : countText(count, "block") + " cleared by a hit here";
+    canvas.text(text, hand_.pointer + Vec2{0, Real(0.7)},
+                {Real(0.5), palette::kText, Typeface::Bold, Align::Middle, Real(8)});
+}
+
+void EditorScreen::draw(Canvas& canvas, double now) const {
+    paintBackdrop(canvas, document_.level()->theme, now);
+    constexpr Real kGrown = 300; // ticks, after which blocks are at full size; nothing moves
+    play_->draw(canvas, kGrown, layout::kShown, false);
+    paintPanelBack(canvas, document_.level()->theme);
+    drawTrials(canvas, now);
+    drawHand(canvas);
+    drawPanel(canvas);
+    const bool news = !notice_.empty() && now - noticeAt_ < kNoticeSeconds;
+    const std::string hint =
+        tool_.tool == EditorTool::Select
+            ? "drag: move   drag beside: choose several   arrows: by 50 mm   "
+              "rest on a block: what a hit brings down"
+        : tool_.tool == EditorTool::Block ? "click: place   E: turn   F: flip   A: select"
+        : tool_.tool == EditorTool::Ledge ? "click or drag: a ledge   A: select"
+        : tool_.tool == EditorTool::Rope
+            ? "drag from the field or a block to a block   A: select"
+            : "click where two blocks meet, or a block and the field   A: select";
+    canvas.text(news ? notice_ : hint, {0, Real(0.25)},
+                {Real(0.46), news ? palette::kAccent : palette::kQuiet, Typeface::Plain,
+                 Align::Middle, Real(23)});
+}
+
+} // namespace apart

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <apart/core/game.hpp>
+#include <apart/core/medals.hpp>
+#include <apart/stage/canvas/canvas.hpp>
+#include <apart/stage/records/run_statistics.hpp>
+
+namespace apart {
+
+/// Contents of the result screen.
+struct ResultsLook {
+    const Game& game;
+    const RunStatistics& statistics;
+    std::int32_t score = 0; // sum over an endless run, else the score of the game
+    bool newBest = false;
+    double seconds = 0;                  // since the screen appeared; drives the score counter
+    std::span<const MedalMarks> marks{}; // empty: the game has no medals
+};
+
+void paintResults(Canvas& canvas, const ResultsLook& look);
+
+/// The honours of a level, and which of them are won.
+struct HonoursLook {
+    Best best;
+    const Level& level;
+    const MedalMarks* marks; // nullptr: none
+};
+
+/// Paints the honours of a level, `step` apart: three, and those that it and its marks offer.
+/// Honours not won yet are dim.
+void paintHonours(Canvas& canvas, Vec2 place, Vec2 step, Real size, const HonoursLook& look);
+inline constexpr std::size_t kUsualHonours = 3; // each level has them
+/// Names of the honours, the usual ones first.
+std::vector<std::string> honourNames(const Level& level, const MedalMarks* marks);
+
+/// Paints a medal: bronze has one dot, silver two, gold three. Nothing for Medal::None.
+void paintMedal(Canvas& canvas, Vec2 middle, Real size, Medal medal);
+
+} // namespace apart
