@@ -4,6 +4,7 @@
 
 PAGE is the folder that tools/web builds. Exit code: 0 all held, 1 something did not, 77 chromium or
 chromedriver is missing."""
+import json
 import pathlib
 import sys
 import time
@@ -165,9 +166,30 @@ class Site(Trial):
                                 f"return {state};")
         self.expect(same == later, "and goes on with them")
         self.shot("shared")
+        self.scene_file()
         self.browser.open(self.address + "sandbox/#scene=damaged")
         self.expect(self.wait("document.getElementById('message').textContent === 'The link is damaged.'"),
                     "a damaged link is told")
+
+    def scene_file(self):
+        """A World as text goes out and in; a mistake is told and loses nothing."""
+        self.scene("Big wheel")
+        text = "(() => { const k = sandbox.kodo, at = k.sandbox_text(), all = new Uint8Array(k.memory.buffer, at);" \
+               " return new TextDecoder().decode(all.subarray(0, all.indexOf(0))); })()"
+        take = """const data = new DataTransfer();
+            data.items.add(new File([arguments[0]], "wheel.toml"));
+            const input = document.getElementById("file");
+            input.files = data.files;
+            input.dispatchEvent(new Event("change"));"""
+        was = self.number(text)
+        self.browser.run(take.replace("arguments[0]", json.dumps(was.replace("seconds", "second"))))
+        message = "document.getElementById('message').textContent"
+        self.expect(self.wait(f"{message}.includes('wheel.toml:2: unknown key second')"), "a mistake has its line")
+        self.expect(self.number("!sandbox.state.file"), "and loses nothing")
+        self.browser.run("sandbox.state.paused = true;" + take.replace("arguments[0]", json.dumps(was)))
+        self.wait(f"{message} === 'Loaded wheel.toml.'")
+        self.expect(self.number(text) == was, "a scene file gives the same text")
+        self.shot("file")
 
     def examples(self):
         """Each example prints in the page what the native one prints, and draws its picture."""

@@ -62,7 +62,7 @@ public:
             bodies_.push_back(scenes::addToBox2d(*world_, body, bounceThreshold_));
             bodies_.back()->GetUserData().pointer = bodies_.size() - 1;
         }
-        for (const std::vector<scenes::Vec2>& chain : scene.chains) {
+        for (const scenes::ChainDef& chain : scene.chains) {
             addChain(chain);
         }
     }
@@ -190,9 +190,9 @@ public:
 private:
     static double length(scenes::Vec2 force) { return std::sqrt(dot(force, force)); }
 
-    void addChain(const std::vector<scenes::Vec2>& chain) {
+    void addChain(const scenes::ChainDef& chain) {
         std::vector<b2Vec2> points;
-        for (auto point = chain.rbegin(); point != chain.rend(); ++point) {
+        for (auto point = chain.points.rbegin(); point != chain.points.rend(); ++point) {
             points.push_back(scenes::toBox2d(*point)); // its solid side is the other one
         }
         b2ChainShape shape;
@@ -201,7 +201,8 @@ private:
                           points.back() + (points.back() - points[points.size() - 2]));
         b2FixtureDef fixture;
         fixture.shape = &shape;
-        fixture.friction = small(scenes::Material{}.friction);
+        fixture.friction = small(chain.material.friction);
+        fixture.restitution = small(chain.material.restitution);
         b2BodyDef def;
         def.userData.pointer = defs_.size() + 1; // no body of the scene
         world_->CreateBody(&def)->CreateFixture(&fixture);
@@ -224,6 +225,8 @@ private:
     b2Joint* fixed(const Link& link) {
         b2WeldJointDef def;
         def.Initialize(bodies_[link.a], bodies_[link.b], scenes::toBox2d(link.point));
+        def.referenceAngle =
+            small(link.reference.value_or(static_cast<double>(def.referenceAngle)));
         return world_->CreateJoint(&def);
     }
 
@@ -233,9 +236,11 @@ private:
         def.enableMotor = link.motorTorque > 0;
         def.motorSpeed = small(link.motorSpeed);
         def.maxMotorTorque = small(link.motorTorque);
-        def.enableLimit = link.limit.has_value();
-        def.lowerAngle = small(-link.limit.value_or(0));
-        def.upperAngle = small(link.limit.value_or(0));
+        def.enableLimit = link.limits.has_value();
+        def.lowerAngle = small(link.limits.value_or(Limits{}).lower);
+        def.upperAngle = small(link.limits.value_or(Limits{}).upper);
+        def.referenceAngle =
+            small(link.reference.value_or(static_cast<double>(def.referenceAngle)));
         return world_->CreateJoint(&def);
     }
 
@@ -246,9 +251,11 @@ private:
         def.enableMotor = link.motorTorque > 0;
         def.motorSpeed = small(link.motorSpeed);
         def.maxMotorForce = small(link.motorTorque);
-        def.enableLimit = link.limit.has_value();
-        def.lowerTranslation = small(-link.limit.value_or(0));
-        def.upperTranslation = small(link.limit.value_or(0));
+        def.enableLimit = link.limits.has_value();
+        def.lowerTranslation = small(link.limits.value_or(Limits{}).lower);
+        def.upperTranslation = small(link.limits.value_or(Limits{}).upper);
+        def.referenceAngle =
+            small(link.reference.value_or(static_cast<double>(def.referenceAngle)));
         return world_->CreateJoint(&def);
     }
 
@@ -257,6 +264,7 @@ private:
         b2Body* b = bodies_[link.b];
         b2DistanceJointDef def;
         def.Initialize(a, b, scenes::toBox2d(link.point), scenes::toBox2d(link.pointB));
+        def.length = small(link.length.value_or(static_cast<double>(def.length)));
         def.minLength = 0;
         if (link.kind == Link::Kind::DistanceJoint && link.hertz == 0) {
             def.minLength = def.length;

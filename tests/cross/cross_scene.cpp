@@ -181,6 +181,11 @@ double reachOf(const scenes::BodyDef& body) {
             reach = std::max(reach, sizeOf(circle->center) + circle->radius);
             continue;
         }
+        if (const auto* capsule = std::get_if<scenes::Capsule>(&part)) {
+            reach = std::max({reach, sizeOf(capsule->from) + capsule->radius,
+                              sizeOf(capsule->to) + capsule->radius});
+            continue;
+        }
         const auto* box = std::get_if<scenes::Box>(&part);
         for (const scenes::Vec2 corner :
              box != nullptr ? cornersOf(*box) : std::get<scenes::Polygon>(part).corners) {

@@ -57,10 +57,26 @@ std::string point(scenes::Vec2 p) {
     return "[" + number(p.x) + "," + number(p.y) + "]";
 }
 
+/// The outline of a capsule, each end in eight edges.
+std::vector<scenes::Vec2> outlineOf(const scenes::Capsule& capsule) {
+    const scenes::Vec2 way = capsule.to - capsule.from;
+    const double along = std::atan2(way.y, way.x);
+    std::vector<scenes::Vec2> corners;
+    for (int i = 0; i <= 17; ++i) {
+        const double angle = along + kPi * ((i < 9 ? i : i - 1) / 8.0 - 0.5);
+        corners.push_back((i < 9 ? capsule.to : capsule.from) +
+                          capsule.radius * scenes::Vec2{std::cos(angle), std::sin(angle)});
+    }
+    return corners;
+}
+
 std::string partOf(const scenes::Part& part) {
     if (const auto* circle = std::get_if<scenes::Circle>(&part)) {
         return R"({"radius":)" + number(circle->radius) + R"(,"center":)" + point(circle->center) +
                "}";
+    }
+    if (const auto* capsule = std::get_if<scenes::Capsule>(&part)) {
+        return R"({"corners":)" + list(outlineOf(*capsule), point) + "}";
     }
     const auto* box = std::get_if<scenes::Box>(&part);
     return R"({"corners":)" +
@@ -266,7 +282,7 @@ std::string sceneOf(const CrossScene& scene, bool& good) {
     return R"({"name":)" + text(scene.name) + R"(,"title":)" + text(scene.title) + R"(,"text":)" +
            text(scene.text) + R"(,"difference":)" + text(scene.difference) + R"(,"chains":)" +
            list(scene.def.chains,
-                [](const std::vector<scenes::Vec2>& chain) { return list(chain, point); }) +
+                [](const scenes::ChainDef& chain) { return list(chain.points, point); }) +
            R"(,"bodies":)" + list(scene.def.bodies, bodyOf) + R"(,"figures":[)" + figures +
            R"(],"plays":[)" + played + playOf("Box2D 2.4.1", plays.box2d) + R"(],"film":)" +
            filmOf(scene, plays) + "}";

@@ -21,6 +21,12 @@ struct State {
     double spin = 0; // rad/s
 };
 
+/// Of an angle (rad) or a way (m), 0 at `reference`.
+struct Limits {
+    double lower = 0;
+    double upper = 0;
+};
+
 /// A joint between two bodies of a scene. Points are in world coordinates (m) at the start.
 struct Link {
     enum class Kind {
@@ -46,7 +52,10 @@ struct Link {
     double damping = 0;      // DistanceJoint, MouseJoint: damping ratio; 1 is critical
     double breakForce = 0;   // N; a larger force, as mean of a step, breaks the joint; 0: none does
     scenes::Vec2 axis{0, 1}; // PrismaticJoint: unit, world
-    std::optional<double> limit{}; // RevoluteJoint: +- rad; PrismaticJoint: +- m
+    std::optional<Limits> limits{};    // RevoluteJoint: rad; PrismaticJoint: m
+    std::optional<double> reference{}; // rad, angle of b relative to a that counts as 0; by default
+                                       // that of the start, which must be 0
+    std::optional<double> length{};    // m, instead of the distance of both anchors
 };
 
 /// Two parts in contact in the last step; a < b.

@@ -117,19 +117,22 @@ public:
 private:
     kodo::JointId add(const Link& link, const kodo::JointEnds& ends) {
         using Kind = Link::Kind;
+        const kodo::Real reference = real(link.reference.value_or(0));
         if (link.kind == Kind::FixedJoint) {
-            return scene_.world.add(kodo::FixedJoint{.ends = ends});
+            return scene_.world.add(kodo::FixedJoint{.ends = ends, .reference = reference});
         }
         if (link.kind == Kind::RevoluteJoint) {
             return scene_.world.add(kodo::RevoluteJoint{.ends = ends,
-                                                        .limits = range(link.limit),
+                                                        .reference = reference,
+                                                        .limits = range(link.limits),
                                                         .motorSpeed = real(link.motorSpeed),
                                                         .motorTorque = real(link.motorTorque)});
         }
         if (link.kind == Kind::PrismaticJoint) {
             return scene_.world.add(kodo::PrismaticJoint{.ends = ends,
-                                                         .axis = scenes::toKodo(link.axis),
-                                                         .limits = range(link.limit),
+                                                         .axis = axisOf(link),
+                                                         .reference = reference,
+                                                         .limits = range(link.limits),
                                                          .motorSpeed = real(link.motorSpeed),
                                                          .motorForce = real(link.motorTorque)});
         }
@@ -143,7 +146,8 @@ private:
         }
         kodo::DistanceJoint spring{.ends = ends};
         spring.ends.anchorB = anchor(link.b, link.pointB);
-        spring.length = length(scenes::toKodo(link.pointB - link.point));
+        spring.length =
+            link.length ? real(*link.length) : length(scenes::toKodo(link.pointB - link.point));
         spring.hertz = real(link.hertz);
         spring.damping = real(link.damping);
         if (link.kind == Kind::RopeJoint) {
@@ -154,8 +158,12 @@ private:
         return scene_.world.add(spring);
     }
 
-    static std::optional<kodo::Range> range(std::optional<double> limit) {
-        return limit ? std::optional(kodo::Range{real(-*limit), real(*limit)}) : std::nullopt;
+    static std::optional<kodo::Range> range(const std::optional<Limits>& limits) {
+        return limits ? std::optional(kodo::Range{real(limits->lower), real(limits->upper)})
+                      : std::nullopt;
+    }
+    kodo::Vec2 axisOf(const Link& link) const {
+        return unrotate(scene_.world[scene_.ids[link.a]].rotation(), scenes::toKodo(link.axis));
     }
 
     std::size_t indexOf(kodo::BodyId id) const {

@@ -120,7 +120,7 @@ CrossScene slider(double motor, const std::string& name) {
         axis.motorTorque = motor;
         axis.motorSpeed = 0.5;
         if (motor == 0) {
-            axis.limit = 0.5;
+            axis.limits = {-0.5, 0.5};
         }
         engine.join(axis);
         run(engine, 2);
@@ -146,7 +146,7 @@ CrossScene angleLimit() {
     scene.drawn = {1};
     scene.measure = [](Engine& engine) -> std::vector<double> {
         Link pin{.kind = Link::Kind::RevoluteJoint, .a = 0, .b = 1};
-        pin.limit = 1;
+        pin.limits = {-1, 1};
         engine.join(pin);
         run(engine, 10);
         return {engine.state(1).angle, engine.state(1).spin, engine.jointForce(0).y,

@@ -86,11 +86,14 @@ CrossScene ragdoll() {
                                   {{0.25, 0.1}, {0.25, 0.35}},
                                   {{-0.12, -0.7}, {-0.12, -0.4}},
                                   {{0.12, -0.7}, {0.12, -0.4}}};
-    std::vector<Link> links{{.a = 1, .b = 2, .point = base + Vec2{0, 0.4}, .limit = 0.4}};
+    std::vector<Link> links{
+        {.a = 1, .b = 2, .point = base + Vec2{0, 0.4}, .limits = Limits{-0.4, 0.4}}};
     for (const Limb& limb : limbs) {
         scene.def.bodies.push_back(scenes::box(0.14, 0.6, base + limb.center));
-        links.push_back(
-            {.a = 1, .b = scene.def.bodies.size() - 1, .point = base + limb.pin, .limit = 0.8});
+        links.push_back({.a = 1,
+                         .b = scene.def.bodies.size() - 1,
+                         .point = base + limb.pin,
+                         .limits = Limits{-0.8, 0.8}});
     }
     scene.drawn = {1, 2, 3, 4, 5, 6};
     for (std::size_t body = 1; body <= 6; ++body) {
@@ -110,7 +113,7 @@ CrossScene ragdoll() {
                 gap = std::max(gap, pins[k].gap(engine));
                 const double bend = std::remainder(
                     engine.state(links[k].b).angle - engine.state(links[k].a).angle, 2 * kPi);
-                over = std::max(over, std::abs(bend) - *links[k].limit);
+                over = std::max(over, std::abs(bend) - links[k].limits->upper);
             }
         }
         double rest = 0;

@@ -105,7 +105,7 @@ CrossScene chained() {
     for (int i = 0; i <= 40; ++i) {
         points.push_back({-5 + 0.25 * i, 0});
     }
-    scene.def.chains = {points};
+    scene.def.chains = {{points}};
     scene.def.bodies = {scenes::box(1, 0.5, {-4, 0.25})};
     scene.def.bodies[0].velocity = {4, 0};
     scene.drawn = {0};

@@ -75,6 +75,24 @@ inline void giveNominalMass(b2Body& body, const BodyDef& source) {
     body.SetMassData(&data);
 }
 
+/// A part as what Box2D has: a capsule is two discs and what lies between them.
+inline std::vector<Part> piecesOf(const Part& part) {
+    const auto* const capsule = std::get_if<Capsule>(&part);
+    if (capsule == nullptr) {
+        return {part};
+    }
+    const Vec2 way = capsule->to - capsule->from;
+    const double length = std::sqrt(dot(way, way));
+    std::vector<Part> pieces{Circle{capsule->radius, capsule->from}};
+    if (length > 0) {
+        const Vec2 side = capsule->radius / length * Vec2{-way.y, way.x};
+        pieces.push_back(Circle{capsule->radius, capsule->to});
+        pieces.push_back(Polygon{
+            {capsule->from - side, capsule->to - side, capsule->to + side, capsule->from + side}});
+    }
+    return pieces;
+}
+
 /// `bounceThreshold`: the approach speed (m/s) below which restitution is 0. The user data of a
 /// fixture is the index of its part.
 inline b2Body* addToBox2d(b2World& world, const BodyDef& source, float bounceThreshold = 1) {
@@ -103,7 +121,15 @@ inline b2Body* addToBox2d(b2World& world, const BodyDef& source, float bounceThr
             fixture.shape = &shape;
             body->CreateFixture(&fixture);
         };
-        std::visit([&](const auto& primitive) { add(box2dShape(primitive)); }, part);
+        for (const Part& piece : piecesOf(part)) {
+            if (const auto* circle = std::get_if<Circle>(&piece)) {
+                add(box2dShape(*circle));
+            } else if (const auto* box = std::get_if<Box>(&piece)) {
+                add(box2dShape(*box));
+            } else {
+                add(box2dShape(std::get<Polygon>(piece)));
+            }
+        }
     }
     if (!source.locked) {
         giveNominalMass(*body, source);

@@ -30,6 +30,10 @@ inline kodo::Primitive toKodo(const Part& part) {
         result.center = toKodo(rectangle->center);
         return result;
     }
+    if (const auto* capsule = std::get_if<Capsule>(&part)) {
+        return kodo::Capsule{toKodo(capsule->from), toKodo(capsule->to),
+                             static_cast<kodo::Real>(capsule->radius)};
+    }
     kodo::Polygon polygon;
     for (const Vec2 corner : std::get<Polygon>(part).corners) {
         polygon.corners.push_back(toKodo(corner));
@@ -121,13 +125,14 @@ inline KodoScene inKodo(const SceneDef& scene, const kodo::StepSettings& setting
         one.flags |= allHeavy || body.weightless ? 0 : kHeavy;
         result.ids.push_back(result.world.add(one));
     }
-    for (const std::vector<Vec2>& chain : scene.chains) {
+    for (const ChainDef& chain : scene.chains) {
         kodo::Chain shape;
-        for (const Vec2 point : chain) {
+        for (const Vec2 point : chain.points) {
             shape.points.push_back(toKodo(point));
         }
         const kodo::Material material =
-            kodo::withFriction(static_cast<kodo::Real>(Material{}.friction), 0);
+            kodo::withFriction(static_cast<kodo::Real>(chain.material.friction),
+                               static_cast<kodo::Real>(chain.material.restitution));
         result.world.add({.shape = shape, .material = material, .type = kodo::BodyType::Static});
     }
     for (const RevoluteJointDef& joint : scene.joints) {

@@ -65,10 +65,16 @@ inline std::vector<Vec2> cornersOf(const Box& box) {
     return {box.center - x - y, box.center + x - y, box.center + x + y, box.center - x + y};
 }
 
+/// A disc drawn along a line.
+struct Capsule {
+    Vec2 from{};
+    Vec2 to{};
+    double radius = 0;
+};
 struct Polygon {
     std::vector<Vec2> corners; // counter-clockwise; at most 8, the limit of Box2D
 };
-using Part = std::variant<Circle, Box, Polygon>;
+using Part = std::variant<Circle, Box, Polygon, Capsule>;
 
 struct Material {
     double friction = 0.6;
@@ -109,13 +115,19 @@ struct RevoluteJointDef {
     std::optional<AngleLimits> limits{};
 };
 
+/// A static line; its upper side, from left to right.
+struct ChainDef {
+    std::vector<Vec2> points;
+    Material material{};
+};
+
 struct SceneDef {
     std::string name;
     Vec2 gravity{}; // m/s^2
     std::vector<BodyDef> bodies;
     std::vector<RevoluteJointDef> joints{};
-    std::vector<std::vector<Vec2>> chains{}; // static lines; their upper side, from left to right
-    bool sleep = false;                      // of tests that compare: bodies at rest fall asleep
+    std::vector<ChainDef> chains{};
+    bool sleep = false; // of tests that compare: bodies at rest fall asleep
 };
 
 inline constexpr Vec2 kDown{0, -10}; // m/s^2, a round number for simple closed forms

@@ -26,6 +26,20 @@ inline Mass massOfPart(const Box& box) {
     return {mass, box.center, mass * (box.width * box.width + box.height * box.height) / 12};
 }
 
+/// The rectangle and the two half discs, whose centres lie 4 r / (3 pi) beyond it.
+inline Mass massOfPart(const Capsule& capsule) {
+    const double r = capsule.radius;
+    const Vec2 way = capsule.to - capsule.from;
+    const double length = std::sqrt(dot(way, way));
+    const double middle = 2 * r * length;
+    const double discs = std::numbers::pi * r * r;
+    const double far = length / 2 + 4 * r / (3 * std::numbers::pi);
+    const double own = 4 * r / (3 * std::numbers::pi); // of a half disc, from the disc's centre
+    return {middle + discs, 0.5 * (capsule.from + capsule.to),
+            middle * (length * length + 4 * r * r) / 12 +
+                discs * (r * r / 2 - own * own + far * far)};
+}
+
 /// Sum over the triangles (origin, p, q). The inertia about the origin is shifted to the centre at
 /// the end.
 inline Mass massOfPart(const Polygon& polygon) {

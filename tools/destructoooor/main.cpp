@@ -26,6 +26,7 @@ const kodo_sfml::Size kPixels{1280, 720};
 
 struct Options {
     std::string scene = "Pyramid";
+    std::string file;
     std::string tour;
     std::size_t stop = 1;
     unsigned steps = 120;
@@ -135,7 +136,10 @@ int run(int argc, char** argv) {
     app.set_version_flag("--version", "Kodo " + std::to_string(KODO_VERSION_MAJOR) + '.' +
                                           std::to_string(KODO_VERSION_MINOR) + '.' +
                                           std::to_string(KODO_VERSION_PATCH));
-    app.add_option("--scene", options.scene, "Name of a scene, see --list")->capture_default_str();
+    auto* file = app.add_option("FILE", options.file, "A scene file (.toml) or a saved World");
+    app.add_option("--scene", options.scene, "Name of a scene, see --list")
+        ->capture_default_str()
+        ->excludes(file);
     auto* ofTour = app.add_option("--tour", options.tour, "Name of a guided tour, see --list");
     app.add_option("--stop", options.stop, "Stop of the tour")
         ->capture_default_str()
@@ -176,6 +180,10 @@ int run(int argc, char** argv) {
     }
     Workbench bench;
     tour ? bench.visit(*tour, options.stop - 1) : bench.open(*scene);
+    if (!options.file.empty()) {
+        bench.sandbox.load(options.file); // throws a sentence
+        bench.showScene();
+    }
     return options.picture.empty() ? play(bench) : takePicture(bench, options);
 }
 

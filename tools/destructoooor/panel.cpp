@@ -219,6 +219,11 @@ void Panel::about(Workbench& bench) {
     if (bench.sandbox.stop() != nullptr) {
         stopButtons(bench);
     }
+    if (bench.sandbox.isLoaded()) {
+        words(bench.sandbox.fileTitle().empty() ? "A World that was saved."
+                                                : bench.sandbox.fileTitle());
+        return;
+    }
     const Stop* const stop = bench.sandbox.stop();
     words(stop != nullptr ? stop->text : bench.sandbox.scene().question);
     ImGui::Spacing();
@@ -319,20 +324,15 @@ void Panel::viewTab(Workbench& bench) {
 }
 
 void Panel::fileTab(Workbench& bench) {
-    words("A World with its bodies, joints, fields and settings, as bytes.");
+    words("NAME.toml: a scene file, to be read and written by hand, and played beside Box2D by "
+          "tools/sidebyside NAME.toml. Another name: all bytes of the World.");
     ImGui::InputText("File", file_, sizeof file_);
-    try {
-        if (ImGui::Button("Save")) {
-            bench.sandbox.save(file_);
-            bench.message = std::string("Saved as ") + file_ + ".";
-        }
-        ImGui::SameLine();
-        if (ImGui::Button("Load")) {
-            bench.sandbox.load(file_);
-            bench.message = std::string("Loaded ") + file_ + ".";
-        }
-    } catch (const std::runtime_error& error) {
-        bench.message = error.what();
+    if (ImGui::Button("Save scene")) {
+        bench.save(file_);
+    }
+    ImGui::SameLine();
+    if (ImGui::Button("Load scene")) {
+        bench.load(file_);
     }
 }
 

@@ -22,7 +22,7 @@ private:
     void fileTab(Workbench& bench);
     void timeBar(Workbench& bench);
 
-    char file_[256] = "sandbox.kodo";
+    char file_[256] = "scene.toml";
     std::size_t shown_ = static_cast<std::size_t>(-1); // scene whose group was opened
 };
 

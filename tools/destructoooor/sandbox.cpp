@@ -4,10 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <memory>
-#include <stdexcept>
 
 namespace destructoooor {
 
@@ -45,7 +42,11 @@ void Sandbox::visit(std::size_t tour, std::size_t stop) {
 }
 
 void Sandbox::restart() {
-    place_ ? visit(place_->tour, place_->stop) : open(scene_);
+    if (adopted_) {
+        rewind(history_.first());
+    } else {
+        place_ ? visit(place_->tour, place_->stop) : open(scene_);
+    }
 }
 
 void Sandbox::begin(std::size_t scene, const kodo::StepSettings& settings) {
@@ -54,26 +55,35 @@ void Sandbox::begin(std::size_t scene, const kodo::StepSettings& settings) {
     world_ = std::move(staged.world);
     ids_ = std::move(staged.ids);
     act_ = catalogue()[scene].act;
+    adopted_ = false;
+    fileTitle_.clear();
     twin_.reset();
     held_.reset();
     verdict_.reset();
     untouched_ = true;
     lastTick_ = 0;
     drops_ = 0;
-    gravity_ = -catalogue()[scene].gravity.y;
-    wind_ = 0;
-    waterLevel_ = kNoWater;
     friction_ = Real(0.6);
     restitution_ = 0;
-    sceneFields_.clear();
-    for (const kodo::FieldEntry& entry : world_.fields()) {
-        if (entry.field->kind() != kodo::FieldKind::Gravity) {
-            sceneFields_.push_back(entry);
-        }
-    }
+    noteFields();
     measures_.clear();
     history_.clear();
     history_.record(world_, true);
+}
+
+/// The dials show the fields of the World.
+void Sandbox::noteFields() {
+    gravity_ = 0;
+    wind_ = 0;
+    waterLevel_ = kNoWater;
+    sceneFields_.clear();
+    for (const kodo::FieldEntry& entry : world_.fields()) {
+        if (entry.field->kind() == kodo::FieldKind::Gravity) {
+            gravity_ = -static_cast<const kodo::Gravity&>(*entry.field).acceleration().y;
+        } else {
+            sceneFields_.push_back(entry);
+        }
+    }
 }
 
 void Sandbox::stepOnce(kodo::World& world) {
@@ -253,40 +263,40 @@ Real Sandbox::difference() const {
     return largest;
 }
 
-void Sandbox::save(const std::string& file) const {
-    const std::vector<std::byte> bytes = kodo::toBytes(world_);
-    std::ofstream out(file, std::ios::binary);
-    out.write(reinterpret_cast<const char*>(bytes.data()),
-              static_cast<std::streamsize>(bytes.size()));
-    if (!out.flush()) {
-        throw std::runtime_error("The World cannot be written to " + file + ".");
-    }
-}
-
-void Sandbox::load(const std::string& file) {
-    std::ifstream in(file, std::ios::binary);
-    if (!in) {
-        throw std::runtime_error("There is no file " + file + ".");
-    }
-    const std::vector<char> text{std::istreambuf_iterator<char>(in), {}};
-    try {
-        take(std::as_bytes(std::span(text)));
-    } catch (const kodo::BadSnapshot& error) {
-        throw std::runtime_error(file + ": " + error.what());
-    }
-}
-
 void Sandbox::take(std::span<const std::byte> bytes) {
-    world_ = kodo::fromBytes(bytes);
+    adopt(kodo::fromBytes(bytes));
+}
+
+void Sandbox::adopt(kodo::World world) {
+    world_ = std::move(world);
     place_.reset();
     act_ = nullptr;
+    adopted_ = true;
+    fileTitle_.clear();
     twin_.reset();
     held_.reset();
     untouched_ = false;
     verdict_.reset();
+    noteFields();
     history_.clear();
     history_.record(world_, true);
     lastTick_ = tick();
+}
+
+kodo::Aabb Sandbox::view() const {
+    if (!adopted_) {
+        return scene().view;
+    }
+    constexpr Real kFarthest = 60; // m; ground may be endless
+    std::optional<kodo::Aabb> all;
+    for (const BodyId id : world_.bodies()) {
+        const kodo::Aabb own = world_[id].bounds();
+        if (isDynamic(world_[id]) || own.extent().x < kFarthest) {
+            all = all ? kodo::unite(*all, own) : own;
+        }
+    }
+    const kodo::Aabb found = all.value_or(kodo::Aabb{{-10, -10}, {10, 10}});
+    return {found.lower - Vec2{1, 1}, found.upper + Vec2{1, 1}};
 }
 
 std::string codeOf(const kodo::StepSettings& settings) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "catalogue/tours.hpp"
 #include "hands.hpp"
@@ -25,7 +26,7 @@ public:
     void open(std::size_t scene);
     /// Opens the scene of a stop of a tour, with the settings of the stop. A scene leaves the tour.
     void visit(std::size_t tour, std::size_t stop);
-    /// The stop or the scene again, from its start.
+    /// The stop, the scene or what has been loaded again, from its start.
     void restart();
     /// Present stop: an index of tours() and one of its stops.
     struct Place {
@@ -86,13 +87,27 @@ public:
 
     /// Goes on with a World of kodo::toBytes(), without judging it. Throws BadSnapshot.
     void take(std::span<const std::byte> bytes);
-    /// Throws std::runtime_error with a sentence.
+    /// The World as a scene file, and one from its text. Throws std::runtime_error with a sentence
+    /// for each mistake, with its line; the present World then stays.
+    std::string text() const;
+    void takeText(std::string_view text, const std::string& file);
+    /// What text() lacks, as words; empty: nothing.
+    std::string notHeld() const;
+    /// A scene file if the name ends in .toml, else all bytes of the World. Throws
+    /// std::runtime_error with a sentence.
     void save(const std::string& file) const;
     void load(const std::string& file);
+    /// What a window shows at first (m): that of the scene, or what has been loaded.
+    kodo::Aabb view() const;
+    /// Of a loaded scene file; empty: the World is one of a scene or of bytes.
+    const std::string& fileTitle() const { return fileTitle_; }
+    bool isLoaded() const { return adopted_; }
 
 private:
     void begin(std::size_t scene, const kodo::StepSettings& settings);
     bool asExpected() const;
+    void adopt(kodo::World world);
+    void noteFields();
     void stepOnce(kodo::World& world);
     void removeLost(kodo::World& world) const;
     void updateFields();
@@ -102,7 +117,10 @@ private:
     std::optional<Place> place_;
     kodo::World world_;
     Ids ids_;
-    decltype(Scene::act) act_ = nullptr; // of the scene; null after take()
+    decltype(Scene::act) act_ = nullptr; // of the scene; null after adopt()
+    bool adopted_ = false;               // the World was loaded
+    std::string fileTitle_;              // of a loaded scene file
+    double fileSeconds_ = 0;             // likewise
     std::optional<kodo::World> twin_;
     History history_;
     Measures measures_;

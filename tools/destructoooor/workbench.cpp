@@ -24,7 +24,7 @@ void Workbench::setView(kodo_sfml::Size pixels, kodo_sfml::Rect free) {
 }
 
 void Workbench::showScene() {
-    const kodo::Aabb view = sandbox.scene().view;
+    const kodo::Aabb view = sandbox.view();
     middle_ = view.center();
     const auto shape = static_cast<Real>(free_.height / std::max(free_.width, 1.0f));
     height_ = std::max(view.extent().y, view.extent().x * shape);
@@ -43,6 +43,26 @@ void Workbench::visit(std::size_t tour, std::size_t stop) {
 void Workbench::restart() {
     sandbox.restart();
     arrive();
+}
+
+void Workbench::load(const std::string& file) {
+    try {
+        sandbox.load(file);
+        arrive();
+        message = "Loaded " + file + ".";
+    } catch (const std::runtime_error& error) {
+        message = error.what();
+    }
+}
+
+void Workbench::save(const std::string& file) {
+    try {
+        sandbox.save(file);
+        const std::string lacking = file.ends_with(".toml") ? sandbox.notHeld() : "";
+        message = "Saved as " + file + "." + (lacking.empty() ? "" : " Not held: " + lacking + ".");
+    } catch (const std::runtime_error& error) {
+        message = error.what();
+    }
 }
 
 void Workbench::go(int by) {

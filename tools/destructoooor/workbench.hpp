@@ -29,6 +29,9 @@ public:
     void open(std::size_t scene);
     void visit(std::size_t tour, std::size_t stop);
     void restart();
+    /// A file of a World; `message` tells what happened.
+    void load(const std::string& file);
+    void save(const std::string& file);
     void go(int by); // as many scenes farther, or stops of the present tour
 
     /// An event that no panel wants.

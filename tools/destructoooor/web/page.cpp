@@ -294,6 +294,32 @@ SANDBOX_EXPORT void sandbox_reserve(std::size_t size) {
 SANDBOX_EXPORT std::byte* sandbox_bytes() {
     return bytes.data();
 }
+/// The World as a scene file.
+SANDBOX_EXPORT const char* sandbox_text() {
+    return told([] { text = sandbox().text(); });
+}
+SANDBOX_EXPORT const char* sandbox_notHeld() {
+    return told([] { text = sandbox().notHeld(); });
+}
+/// Goes on with the scene file in sandbox_bytes(). Returns its mistakes, or "".
+SANDBOX_EXPORT const char* sandbox_takeText() {
+    return told([] {
+        const std::string file(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+        sandbox().takeText(file, "the file");
+    });
+}
+SANDBOX_EXPORT const char* sandbox_title() {
+    return told([] { text = sandbox().fileTitle(); });
+}
+SANDBOX_EXPORT void sandbox_restart() {
+    sandbox().restart();
+}
+/// Of what has been opened (m): 0 left, 1 bottom, 2 right, 3 top.
+SANDBOX_EXPORT float sandbox_view(int side) {
+    const kodo::Aabb view = sandbox().view();
+    const float all[] = {view.lower.x, view.lower.y, view.upper.x, view.upper.y};
+    return all[side];
+}
 SANDBOX_EXPORT const char* sandbox_take() {
     return told([] { sandbox().take(bytes); });
 }

@@ -22,7 +22,7 @@ const element = (id) => document.getElementById(id);
 const canvas = element("canvas");
 const context = canvas.getContext("2d");
 
-const state = { scene: 0, tour: -1, stop: 0, // no tour: -1
+const state = { scene: 0, tour: -1, stop: 0, file: false, // no tour: -1; a World that was loaded
                 hand: kDrag, thing: 0, size: 1, paused: false, owed: 0, last: performance.now() };
 const view = { x: 0, y: 0, height: 16 }; // m
 let cursor = null; // m, of the keyboard
@@ -103,6 +103,7 @@ function go(by) {
 
 /** Shows what has been opened: its name, the end of its link, its texts, and when it is judged. */
 function arrive(name, link, question, expectation, seconds) {
+  state.file = false;
   element("tour").hidden = state.tour < 0;
   element("question").textContent = question;
   element("expectation").textContent =
@@ -116,7 +117,7 @@ function arrive(name, link, question, expectation, seconds) {
 }
 
 function showScene() {
-  const [left, bottom, right, top] = registry.scenes[state.scene].view;
+  const [left, bottom, right, top] = [0, 1, 2, 3].map((side) => kodo.sandbox_view(side));
   view.x = (left + right) / 2;
   view.y = (bottom + top) / 2;
   view.height = Math.max(top - bottom, (right - left) * canvas.height / Math.max(1, canvas.width));
@@ -422,7 +423,7 @@ const actions = {
   " ": () => setPaused(!state.paused),
   n: () => { setPaused(true); kodo.sandbox_step(); refresh(); },
   b: () => rewind(kodo.sandbox_tick() - 1),
-  r: () => go(0),
+  r: restart,
   PageUp: () => go(-1),
   PageDown: () => go(1),
   Home: showScene,
@@ -512,6 +513,51 @@ async function takeWorld(data) {
   }
 }
 
+/** Starts what is open again, from its start. */
+function restart() {
+  if (!state.file) {
+    go(0);
+    return;
+  }
+  kodo.sandbox_restart();
+  refresh();
+}
+
+// Scene files.
+
+/** Takes a scene file; a mistake is told, and nothing is lost. */
+async function takeFile(file) {
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  kodo.sandbox_reserve(bytes.length);
+  new Uint8Array(kodo.memory.buffer, kodo.sandbox_bytes(), bytes.length).set(bytes);
+  const mistakes = textAt(kodo.sandbox_takeText());
+  if (mistakes !== "") {
+    say(mistakes.replaceAll("the file", file.name));
+    return;
+  }
+  const title = textAt(kodo.sandbox_title());
+  state.tour = -1;
+  state.file = true;
+  element("tour").hidden = true;
+  element("question").textContent = title;
+  element("expectation").textContent = "";
+  document.title = `${title} - Destructoooor!`;
+  held = false;
+  showScene();
+  refresh();
+  say(`Loaded ${file.name}.`);
+}
+
+function saveFile() {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(new Blob([textAt(kodo.sandbox_text())], { type: "application/toml" }));
+  link.download = "scene.toml";
+  link.click();
+  URL.revokeObjectURL(link.href);
+  const lacking = textAt(kodo.sandbox_notHeld());
+  say(`Saved as scene.toml.${lacking === "" ? "" : ` Not held: ${lacking}.`}`);
+}
+
 /** Opens what the link of the page names. */
 async function enter() {
   const wanted = location.hash;
@@ -538,6 +584,7 @@ async function enter() {
     [view.x, view.y, view.height] = place;
   }
   history.replaceState(null, "", wanted);
+  state.file = true;
   element("question").textContent = "A World of a link, which goes on where it was copied.";
   element("expectation").textContent = "";
   refresh();
@@ -579,6 +626,23 @@ element("copy").onclick = () =>
 element("share").onclick = async () => {
   const link = await linkToWorld();
   await copy(link, `A link of ${(link.length / 1000).toFixed(1)} kB is in the clipboard.`);
+};
+element("save").onclick = saveFile;
+element("load").onclick = () => element("file").click();
+element("file").onchange = async () => {
+  const [file] = element("file").files;
+  if (file) {
+    await takeFile(file);
+  }
+  element("file").value = "";
+};
+document.ondragover = (event) => event.preventDefault();
+document.ondrop = async (event) => {
+  event.preventDefault();
+  const [file] = event.dataTransfer.files;
+  if (file) {
+    await takeFile(file);
+  }
 };
 window.onhashchange = enter;
 resize();
