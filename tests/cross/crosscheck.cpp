@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Plays every scene of the book in Kodo (both solvers, float and double) and in Box2D 2.4.1, and
-// prints all as JSON for tools/lib/crosscheck.py; with a file .toml, only its scene. Exit code: 0
-// all figures hold, 1 some do not, 2 the file has a mistake.
+// prints all as JSON for tools/lib/crosscheck.py; with a file .toml, or --sandbox and the name of a
+// scene of the sandbox, only that one. Exit code: 0 all figures hold, 1 some do not, 2 the scene
+// has a mistake, or Box2D has no equal of it.
+#include <catalogue/scene.hpp>
+#include <scene_files/scene_file.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -308,24 +312,45 @@ int refuse(const apart::FileProblem& problem) {
     return 2;
 }
 
-int printFile(const std::string& file) {
-    const apart::Read<std::string> text = apart::readTextFile(file, kLongestFile);
-    if (const auto* problem = std::get_if<apart::FileProblem>(&text)) {
+int printRead(const std::string& text, const std::string& file, const std::string& about) {
+    apart::Read<CrossScene> read = readScene(text, file);
+    if (const auto* problem = std::get_if<apart::FileProblem>(&read)) {
         return refuse(*problem);
     }
-    const apart::Read<CrossScene> scene = readScene(std::get<std::string>(text), file);
-    if (const auto* problem = std::get_if<apart::FileProblem>(&scene)) {
-        return refuse(*problem);
-    }
+    auto& scene = std::get<CrossScene>(read);
+    scene.text = about + scene.text;
     try {
-        return print({std::get<CrossScene>(scene)});
+        return print({scene});
     } catch (const std::exception& error) {
         return refuse({file, 0, error.what()});
     }
 }
 
+int printSandbox(const std::string& name) {
+    for (const destructoooor::Scene& scene : destructoooor::catalogue()) {
+        if (scene.name == name) {
+            const scene_files::SceneHead head{name, static_cast<double>(scene.seconds)};
+            std::string about = std::string(scene.question) + " ";
+            about += scene.act != nullptr ? "Without what the scene does in each step. " : "";
+            return printRead(scene_files::sceneText(stage(scene).world, head), name, about);
+        }
+    }
+    return refuse({name, 0, "The sandbox has no such scene. destructoooor --list names them."});
+}
+
+int printFile(const std::string& file) {
+    const apart::Read<std::string> text = apart::readTextFile(file, kLongestFile);
+    if (const auto* problem = std::get_if<apart::FileProblem>(&text)) {
+        return refuse(*problem);
+    }
+    return printRead(std::get<std::string>(text), file, "");
+}
+
 } // namespace
 
 int main(int count, char** arguments) {
+    if (count == 3 && std::string(arguments[1]) == "--sandbox") {
+        return printSandbox(arguments[2]);
+    }
     return count == 2 ? printFile(arguments[1]) : print(sceneBook());
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "played_scene.hpp"
 
+#include <scenes/in_kodo.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,10 +13,10 @@ namespace {
 
 using kodo::Real;
 
-constexpr double kSmallest = 0.05;       // m; Box2D's skin takes 1 cm of each side
-constexpr std::size_t kMostCorners = 8;  // of Box2D
-constexpr std::size_t kMostPaths = 20;   // drawn
-constexpr kodo::Flags kUnnamed = 0x4000; // category of bodies without one, where there are filters
+constexpr double kSmallest = 0.05;            // m; Box2D's skin takes 1 cm of each side
+constexpr std::size_t kMostCorners = 8;       // of Box2D
+constexpr std::size_t kMostPaths = 20;        // drawn
+constexpr kodo::Flags kMostCategory = 0xffff; // of Box2D
 
 double number(Real value) {
     return static_cast<double>(value);
@@ -115,19 +117,28 @@ private:
         const kodo::Flags own = body.def.flags & kodo::kUserFlags;
         const kodo::Flags wanted = body.def.required;
         const kodo::Flags match = body.def.flags & kodo::kMatchModes;
-        lacks((own | wanted) >= kUnnamed, body.line, "a category above 13");
+        lacks((own | wanted) > kMostCategory, body.line, "a category above 15");
         lacks(match != 0 && match != kodo::kMatchAny, body.line, "collides other than any");
         made.category = static_cast<std::uint16_t>(own);
         made.mask = static_cast<std::uint16_t>(wanted);
     }
 
-    /// Where one body has a filter, all need a category.
+    /// Where one body has a filter, all need a category: one that no filter names.
     void giveCategories() {
-        const bool filters = std::any_of(made_.def.bodies.begin(), made_.def.bodies.end(),
-                                         [](const auto& body) { return body.mask != 0; });
+        unsigned used = scenes::kHeavy; // of bodies under gravity, in Kodo
+        bool filters = false;
+        for (const scenes::BodyDef& body : made_.def.bodies) {
+            used |= static_cast<unsigned>(body.category | body.mask);
+            filters = filters || body.mask != 0;
+        }
+        unsigned unnamed = 1;
+        while ((used & unnamed) != 0) {
+            unnamed <<= 1;
+        }
+        lacks(filters && unnamed > kMostCategory, 0, "a scene with filters of all categories");
         for (scenes::BodyDef& body : made_.def.bodies) {
             if (filters && body.category == 0) {
-                body.category = static_cast<std::uint16_t>(kUnnamed);
+                body.category = static_cast<std::uint16_t>(unnamed);
             }
         }
     }

@@ -44,6 +44,8 @@ refuse '^tools/crosscheck: --list writes no page' tools/crosscheck --list --scen
 refuse '^tools/crosscheck: there is no file .*/nowhere.toml' tools/crosscheck nowhere.toml
 refuse '^tools/crosscheck: a file has one scene: give no --scenes' \
     tools/crosscheck tests/cross/example.toml --scenes Pendulum
+refuse 'the sandbox has no scene Nosuch; destructoooor --list' tools/sidebyside Nosuch
+refuse '^tools/crosscheck: there is no file .*/nowhere.toml' tools/sidebyside nowhere.toml
 refuse '^tools/thesis: there is no folder nowhere' tools/thesis --output nowhere/page.html
 refuse '^tools/thesis: tools is a folder' tools/thesis --output tools
 mkdir -p box2d3/include/box2d && : >box2d3/include/box2d/id.h

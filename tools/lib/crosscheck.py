@@ -499,15 +499,18 @@ PAGE = pathlib.Path("crosscheck.html")
 NO_SCENE = "no scene's name or title contains {}; tools/crosscheck --list prints the names"
 
 
-def texts_in_sources(folder=pathlib.Path("tests/cross")):
+def texts_in_sources(folder=pathlib.Path("tests/cross"), files="scenes_*.cpp"):
     """All texts of the chapters, before the program is built."""
-    sources = (path.read_text(encoding="utf-8") for path in sorted(folder.glob("scenes_*.cpp")))
+    sources = (path.read_text(encoding="utf-8") for path in sorted(folder.glob(files)))
     return [text for source in sources for text in re.findall(r'"([^"\n]*)"', source)]
 
 
 def names_in_sources():
     """The names of all scenes: each CamelCase text."""
     return [t for t in texts_in_sources() if re.fullmatch("[A-Z][a-z]+[A-Z][A-Za-z0-9]+", t)]
+
+
+SANDBOX = pathlib.Path("tools/destructoooor/catalogue")
 
 
 def is_wanted(scene, wanted):
@@ -526,6 +529,12 @@ def refuse_early(options, chosen):
             options.error("a file has one scene: give no --scenes, --list or --picture")
         if not chosen.file.is_file():
             options.error(f"there is no file {chosen.file}")
+    if chosen.sandbox:
+        if chosen.file or chosen.scenes or chosen.list or chosen.picture:
+            options.error("--sandbox has one scene: give no file, --scenes, --list or --picture")
+        names = texts_in_sources(SANDBOX, "*.cpp")
+        if names and chosen.sandbox not in names:
+            options.error(f"the sandbox has no scene {chosen.sandbox}; destructoooor --list names all")
     if chosen.list and (chosen.scenes or chosen.output or chosen.picture):
         options.error("--list writes no page: give no --scenes, --output or --picture")
     # Some titles are put together: each word is looked for, and the whole after the build.
@@ -541,6 +550,7 @@ def main():
     options.add_argument("--output", type=pathlib.Path)
     options.add_argument("--picture", type=pathlib.Path)
     options.add_argument("--scenes", nargs="+", metavar="NAME")
+    options.add_argument("--sandbox", metavar="NAME")
     options.add_argument("--list", action="store_true")
     options.add_argument("--program", type=pathlib.Path)  # for the test of this page
     options.add_argument("--check-options", action="store_true")
@@ -552,15 +562,16 @@ def main():
     if chosen.check_options:
         return 0
     program = chosen.program or pathlib.Path("build/bench/bin/crosscheck")
-    command = [program, chosen.file] if chosen.file else [program]
+    one = chosen.file or chosen.sandbox
+    command = [program, *(["--sandbox"] if chosen.sandbox else []), *([one] if one else [])]
     run = subprocess.run(command, stdout=subprocess.PIPE, check=False)
-    if chosen.file and run.returncode == 2:
+    if one and run.returncode == 2:
         return 2  # the program has told the mistakes
     if run.returncode not in (0, 1):
         sys.stderr.write(f"{program} ended with {run.returncode}.\n")
         return 1
     scenes = json.loads(run.stdout)
-    if chosen.program and not chosen.file:  # the test of this page
+    if chosen.program and not one:  # the test of this page
         hidden = {scene["name"] for scene in scenes} - set(names_in_sources())
         if hidden and names_in_sources():
             sys.stderr.write(f"Not found in the sources: {', '.join(sorted(hidden))}\n")
@@ -573,7 +584,8 @@ def main():
             if not any(is_wanted(scene, wanted) for scene in scenes):
                 options.error(NO_SCENE.format(wanted))
         scenes = [s for s in scenes if any(is_wanted(s, wanted) for wanted in chosen.scenes)]
-    output = chosen.output or pathlib.Path("build/crosscheck", (chosen.file or PAGE).stem + ".html")
+    name = chosen.sandbox.replace(" ", "_") if chosen.sandbox else (chosen.file or PAGE).stem
+    output = chosen.output or pathlib.Path("build/crosscheck", name + ".html")
     output.parent.mkdir(parents=True, exist_ok=True)
     output.write_text(page(scenes), encoding="utf-8")
     bad = [s["name"] for s in scenes if verdict(s)[0] == "wrong"]

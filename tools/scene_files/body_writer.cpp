@@ -95,7 +95,7 @@ std::vector<Vec2> chainOf(const kodo::BodyView& body) {
         return std::get_if<kodo::Segment>(&body.part(i).primitive);
     };
     const kodo::Segment* const first = segmentOf(0);
-    if (body.partCount() < 2 || first == nullptr) {
+    if (first == nullptr) {
         return {};
     }
     points.push_back(first->from);
