@@ -160,20 +160,21 @@ static inline bool kodo_sameBody(kodo_BodyId a, kodo_BodyId b) {
 #define KODO_USER_FLAGS UINT64_C(0xffffffff0000ffff)
 typedef uint64_t kodo_Flags;
 enum {
-    KODO_LOCK_MOVE = 1 << 16,   // infinite mass
-    KODO_LOCK_ROTATE = 1 << 17, // infinite moment of inertia
-    KODO_DISABLED = 1 << 18,    // collides with nothing, no query finds it
-    KODO_ASLEEP = 1 << 19,      // status
-    KODO_NEVER_SLEEP = 1 << 20, // the body keeps its island awake
-    KODO_COLLIDING = 1 << 21,   // status: touched something in the last step
-    KODO_SENSOR = 1 << 22,      // detects overlap, without any response
-    KODO_FROZEN = 1 << 23,      // status: see kodo_frozenBodies()
-    KODO_OUTSIDE = 1 << 24,     // status: outside the region
-    KODO_NO_SENSORS = 1 << 25,  // of queries alone: parts that are sensors are left out
-    KODO_MATCH_NONE = 1 << 27,  // none of the required flags is set
-    KODO_MATCH_ANY = 1 << 28,   // at least one of the required flags is set
-    KODO_MATCH_ALL = 1 << 29,   // all of them are set
-    KODO_MATCH_EQUAL = 1 << 30  // exactly these are set
+    KODO_LOCK_MOVE = 1 << 16,        // infinite mass
+    KODO_LOCK_ROTATE = 1 << 17,      // infinite moment of inertia
+    KODO_DISABLED = 1 << 18,         // collides with nothing, no query finds it
+    KODO_ASLEEP = 1 << 19,           // status
+    KODO_NEVER_SLEEP = 1 << 20,      // the body keeps its island awake
+    KODO_COLLIDING = 1 << 21,        // status: touched something in the last step
+    KODO_SENSOR = 1 << 22,           // detects overlap, without any response
+    KODO_FROZEN = 1 << 23,           // status: see kodo_frozenBodies()
+    KODO_OUTSIDE = 1 << 24,          // status: outside the region
+    KODO_NO_SENSORS = 1 << 25,       // of queries alone: parts that are sensors are left out
+    KODO_DEFAULT_CATEGORY = 1 << 26, // of `required` alone: bodies without a category
+    KODO_MATCH_NONE = 1 << 27,       // none of the required flags is set
+    KODO_MATCH_ANY = 1 << 28,        // at least one of the required flags is set
+    KODO_MATCH_ALL = 1 << 29,        // all of them are set
+    KODO_MATCH_EQUAL = 1 << 30       // exactly these are set
 };
 
 /// Which bodies a query or a field concerns. All zero: all.
@@ -723,6 +724,7 @@ typedef struct kodo_RevoluteJoint {
     kodo_Real target;      // rad, rest angle of the spring
     kodo_Real hertz;       // stiffness, as frequency about the anchor; 0: no spring
     kodo_Real damping;     // damping ratio; 1 is critical
+    kodo_Real ratchet;     // rad between teeth, with limits: the lower one follows; 0: none
 } kodo_RevoluteJoint;
 
 typedef struct kodo_FixedJoint {
@@ -1291,7 +1293,13 @@ KODO_C_API kodo_Status kodo_distance(const kodo_World* world, kodo_BodyId a, kod
 KODO_C_API kodo_Status kodo_touching(const kodo_World* world, kodo_BodyId id, kodo_BodyId* ids,
                                      size_t capacity, size_t* count);
 
-// Characters and explosions.
+// Characters, explosions and locks of one axis.
+
+/// Locks the motion of a body along one axis (unit), {1, 0} for x: its centre stays on a line
+/// through its present place. The rotation stays free. Adds the static body that has the groove, a
+/// point that nothing meets, and writes its id. Removing that body unlocks.
+KODO_C_API kodo_Status kodo_lockAxis(kodo_World* world, kodo_BodyId body, kodo_Vec2 axis,
+                                     kodo_BodyId* groove);
 
 /// A character that is moved by casts instead of forces. It walks on slopes, climbs steps, stays on
 /// the ground over crests, and rides on moving bodies. A value: copy it with the World to go back

@@ -145,6 +145,31 @@ TEST(CollisionFilter, AFloorWithoutACategoryHoldsWhatNamesExceptions) {
     EXPECT_TRUE(Fall({0, 0, -7}, -8).lands());
 }
 
+// Of a floor that names no category.
+TEST(CollisionFilter, TheDefaultCategoryIsThatOfBodiesWithoutOne) {
+    EXPECT_TRUE(Fall({kMatchAny, 2 | kDefaultCategory}).lands());
+    EXPECT_TRUE(Fall({kMatchAll, kDefaultCategory}).lands());
+    EXPECT_TRUE(Fall({kMatchEqual, kDefaultCategory}).lands());
+    EXPECT_TRUE(Fall({kMatchEqual, 0}).lands());
+    EXPECT_FALSE(Fall({kMatchNone, kDefaultCategory}).lands());
+    for (const Flags mode : {kMatchAny, kMatchAll, kMatchEqual}) { // the floor has category 2
+        Fall fall({mode, kDefaultCategory});
+        fall.world[fall.world.bodies().front()].setFlags(2);
+        EXPECT_FALSE(fall.lands());
+    }
+    World world;
+    const BodyId plain = world.add({});
+    const BodyId named = world.add({.position = {9, 0}, .flags = category(20)});
+    EXPECT_EQ(overlap(world, Aabb{{-1, -1}, {20, 1}}, {kMatchAny, kDefaultCategory}),
+              std::vector<BodyId>{plain});
+    world.applyForceToAll({6, 0}, {kMatchNone, kDefaultCategory});
+    world.step(Real(1) / 60);
+    EXPECT_EQ(world[plain].velocity(), Vec2{});
+    EXPECT_GT(world[named].velocity().x, 0);
+    EXPECT_THROW(world[plain].setFlags(kDefaultCategory), BadDefinition);
+    EXPECT_THROW(world.add({.flags = kDefaultCategory}), BadDefinition);
+}
+
 TEST(CollisionFilter, SettersStartAndEndContacts) {
     Fall fall({}, -3);
     ASSERT_TRUE(fall.lands());

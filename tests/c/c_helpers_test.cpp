@@ -154,6 +154,24 @@ TEST(CHelpers, AnExplosionThatIsRefusedPushesNothing) {
     EXPECT_EQ(0, yard.world.state(yard.open).velocity.x);
 }
 
+TEST(CHelpers, ALockedAxisEndsWithItsGroove) {
+    const CWorld world;
+    kodo_BodyDef def = bodyAt(0, 3, kodo_box(1, 1));
+    def.velocity = {2, 5};
+    const kodo_BodyId body = world.add(def);
+    kodo_BodyId groove{};
+    EXPECT_EQ(KODO_WRONG_USE, kodo_lockAxis(world, body, {0, 1}, nullptr));
+    EXPECT_EQ(KODO_BAD_DEFINITION, kodo_lockAxis(world, body, {0, 2}, &groove));
+    EXPECT_EQ(KODO_BAD_ID, kodo_lockAxis(world, {}, {0, 1}, &groove));
+    EXPECT_OK(kodo_lockAxis(world, body, {0, 1}, &groove));
+    world.step(60);
+    EXPECT_NEAR(world.state(body).transform.position.x, 2, 0.01);
+    EXPECT_NEAR(world.state(body).transform.position.y, 3, 0.01);
+    EXPECT_OK(kodo_removeBody(world, groove));
+    world.step(60);
+    EXPECT_NEAR(world.state(body).transform.position.x, 4, 0.01);
+}
+
 TEST(CHelpers, TouchingListsSleepingBodiesToo) {
     const CWorld world;
     const kodo_BodyId ground = world.add(groundDef());

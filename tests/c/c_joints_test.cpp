@@ -71,9 +71,9 @@ struct Pair {
 TEST(CJoints, ARevoluteJointIsThatOfCpp) {
     Pair pair;
     kodo_JointDef def = kodo_jointDef(KODO_REVOLUTE_JOINT);
-    def.revolute = {pair.ends(), kodo_Real(0.1), true, {-1, 2}, 3, 4, 5, 6, 7};
+    def.revolute = {pair.ends(), kodo_Real(0.1), true, {-1, 2}, 3, 4, 5, 6, 7, 8};
     pair.expectSame(def, kodo::RevoluteJoint{pair.otherEnds(), kodo::Real(0.1), kodo::Range{-1, 2},
-                                             3, 4, 5, 6, 7});
+                                             3, 4, 5, 6, 7, 8});
 }
 
 TEST(CJoints, AFixedJointIsThatOfCpp) {

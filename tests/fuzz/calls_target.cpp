@@ -168,6 +168,7 @@ private:
             MotorJoint{.ends = ends, .force = number, .torque = 1},
             MouseJoint{.body = ends.a, .target = ends.anchorA, .force = number},
             RevoluteJoint{.ends = ends, .limits = Range{-9, number}, .target = 4, .hertz = 2},
+            RevoluteJoint{.ends = ends, .limits = Range{-9, 9}, .ratchet = number},
             FixedJoint{.ends = ends, .hertz = number, .damping = 1},
             DistanceJoint{.ends = ends, .motorSpeed = number, .motorForce = 5},
             PrismaticJoint{.ends = ends, .target = number, .hertz = 3},

@@ -603,6 +603,38 @@ class Helpers(unittest.TestCase):
         self.assertEqual((0, 0), behind.velocity)
         self.assertEqual([], kodo.World().explode((0, 0)))
 
+    def test_an_axis_is_locked_by_a_groove(self):
+        world = kodo.World()
+        body = world.add(velocity=(2, 5))
+        groove = world.lock_axis(body, (0, 1))
+        world.step(1 / 60)
+        self.assertAlmostEqual(0, body.velocity[1], places=3)
+        self.assertAlmostEqual(2, body.velocity[0], places=3)
+        with self.assertRaisesRegex(kodo.BadDefinition, "axis"):
+            world.lock_axis(body, (0, 2))
+        groove.remove()
+        self.assertEqual([], list(world.joints))
+
+    def test_a_ratchet_holds_the_last_tooth(self):
+        world = kodo.World()
+        frame, wheel = world.add(type=kodo.BodyType.STATIC), world.add(kodo.Circle(1))
+        pin = world.add_joint(kodo.RevoluteJoint(a=frame, b=wheel, limits=(0, 99), ratchet=0.5))
+        wheel.angular_velocity = 4
+        for _ in range(20):
+            world.step(1 / 60)
+        wheel.angular_velocity = -4
+        for _ in range(20):
+            world.step(1 / 60)
+        self.assertAlmostEqual(1, world.joint_state(pin).angle, places=2)
+
+    def test_the_default_category_is_that_of_bodies_without_one(self):
+        world = kodo.World()
+        plain, named = world.add(), world.add(position=(9, 0), flags=1)
+        which = kodo.Filter(kodo.Flags.MATCH_ANY, kodo.Flags.DEFAULT_CATEGORY)
+        self.assertEqual([plain.id], world.overlap_box(((-20, -20), (20, 20)), which))
+        with self.assertRaisesRegex(kodo.BadDefinition, "DEFAULT_CATEGORY"):
+            named.flags = kodo.Flags.DEFAULT_CATEGORY
+
 
 class ArraysTest(unittest.TestCase):
     """With the arrays of `module`, or of the standard library if it is None."""

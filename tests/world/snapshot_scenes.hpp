@@ -111,6 +111,8 @@ inline void addJoints(kodo::World& world, const std::vector<kodo::BodyId>& piece
     world.add(kodo::MotorJoint{ends(8), 0, 1, 1});
     world.add(kodo::MouseJoint{pieces[10], {}, {1, 4}, 3});
     world.add(kodo::RevoluteJoint{.ends = ends(22), .target = 5, .hertz = 1});
+    world.add(kodo::RevoluteJoint{
+        .ends = ends(23), .limits = kodo::Range{-9, 9}, .ratchet = kodo::Real(0.125)});
     world.add(kodo::FixedJoint{.ends = ends(24), .hertz = 3, .damping = 1});
     world.add(kodo::PrismaticJoint{.ends = ends(26), .hertz = 2});
     world.add(kodo::DistanceJoint{.ends = ends(30), .motorSpeed = 1, .motorForce = 3});

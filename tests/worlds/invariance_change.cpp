@@ -104,6 +104,7 @@ void mirror(JointDef& def) {
             if constexpr (std::is_same_v<Joint, RevoluteJoint>) {
                 joint.motorSpeed = -joint.motorSpeed;
                 joint.target = -joint.target;
+                joint.ratchet = -joint.ratchet;
                 joint.limits = joint.limits ? std::optional(mirrored(*joint.limits)) : std::nullopt;
             }
             if constexpr (std::is_same_v<Joint, WheelJoint>) {

@@ -262,7 +262,7 @@ void visit(Stream& s, RevoluteJoint& joint) {
     visit(s, joint.limits);
     s.one(joint.motorSpeed);
     s.one(joint.motorTorque);
-    later(s, joint.target, joint.hertz, joint.damping);
+    later(s, joint.target, joint.hertz, joint.damping, joint.ratchet);
 }
 template <typename Stream>
 void visit(Stream& s, FixedJoint& joint) {

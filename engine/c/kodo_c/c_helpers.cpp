@@ -89,6 +89,14 @@ kodo_Status kodo_initExplosion(kodo_Explosion* explosion, kodo_Head head) {
     });
 }
 
+kodo_Status kodo_lockAxis(kodo_World* world, kodo_BodyId body, kodo_Vec2 axis,
+                          kodo_BodyId* groove) {
+    return guarded([&] {
+        requirePointer(groove, "groove"); // before anything is added
+        *groove = toC(kodo::lockAxis(worldOf(world), fromC(body), fromC(axis)));
+    });
+}
+
 kodo_Status kodo_explode(kodo_World* world, const kodo_Explosion* explosion,
                          kodo_ExplosionHit* hits, size_t capacity, size_t* count) {
     return guarded([&] {

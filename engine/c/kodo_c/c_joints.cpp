@@ -46,8 +46,8 @@ struct WriteJoint {
     kodo_JointDef& def;
 
     void operator()(const kodo::RevoluteJoint& joint) const {
-        const auto& [ends, reference, limits, motorSpeed, motorTorque, target, hertz, damping] =
-            joint;
+        const auto& [ends, reference, limits, motorSpeed, motorTorque, target, hertz, damping,
+                     ratchet] = joint;
         def.revolute.ends = endsToC(ends);
         def.revolute.reference = reference;
         writeLimits(limits, def.revolute);
@@ -56,6 +56,7 @@ struct WriteJoint {
         def.revolute.target = target;
         def.revolute.hertz = hertz;
         def.revolute.damping = damping;
+        def.revolute.ratchet = ratchet;
     }
     void operator()(const kodo::FixedJoint& joint) const {
         const auto& [ends, reference, hertz, damping] = joint;
@@ -180,7 +181,8 @@ kodo::JointDef fromC(const kodo_JointDef& def) {
                                    joint.motorTorque,
                                    joint.target,
                                    joint.hertz,
-                                   joint.damping};
+                                   joint.damping,
+                                   joint.ratchet};
     }
     case KODO_FIXED_JOINT:
         return kodo::FixedJoint{endsFromC(def.fixed.ends), def.fixed.reference, def.fixed.hertz,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <kodo/axis_lock.hpp>
 #include <kodo/explosion.hpp>
 #include <kodo/query.hpp>
 #include <kodo_c/c_guard.hpp>

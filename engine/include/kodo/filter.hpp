@@ -27,7 +27,8 @@ inline constexpr Flags kColliding = 1u << 21;  // status: touched something in t
 inline constexpr Flags kSensor = 1u << 22;     // detects overlap, without any response
 inline constexpr Flags kFrozen = 1u << 23;     // status: see World::frozenBodies()
 inline constexpr Flags kOutside = 1u << 24;    // status: outside the region, see World::setRegion()
-// Bits 26 and 31 are reserved. Definitions and setters refuse them, and kNoSensors.
+// Bit 31 is reserved. Definitions and setters refuse it, kNoSensors and, as a flag,
+// kDefaultCategory.
 /// Set by the engine alone; setters ignore them.
 inline constexpr Flags kStatusFlags = kAsleep | kColliding | kFrozen | kOutside;
 
@@ -40,23 +41,29 @@ inline constexpr Flags kMatchEqual = 1u << 30; // exactly these are set
 inline constexpr Flags kMatchModes = kMatchNone | kMatchAny | kMatchAll | kMatchEqual;
 /// Of queries alone: parts that are sensors are left out.
 inline constexpr Flags kNoSensors = 1u << 25;
+/// Of `required` alone: the category of bodies that name none.
+inline constexpr Flags kDefaultCategory = 1u << 26;
+/// The categories of a body with these flags: its user flags, or kDefaultCategory without them.
+constexpr Flags categoriesOf(Flags flags) {
+    return (flags & kUserFlags) != 0 ? flags & kUserFlags : kDefaultCategory;
+}
 
 /// Decides which bodies collide, or which ones a query or a field concerns [Thesis06, 4.1.6].
 struct CollisionFilter {
     /// At most one of kMatchModes. Of a body also its user flags; queries, fields and forces on all
     /// bodies refuse these. Of a query also kNoSensors.
     Flags flags = 0;
-    Flags required = 0; // user flags that the mode compares with those of the other
+    Flags required = 0; // categories that the mode compares with those of the other
     /// Comes before the mode: bodies of one group collide if it is > 0, and do not if it is < 0. 0
     /// is no group.
     std::int32_t group = 0;
 };
 
-/// True if a filter lets a body with the user flags `other` through. kMatchAny and kMatchAll with
-/// `required` 0 let nothing through.
+/// True if a filter lets a body with the flags `other` through. kMatchAny and kMatchAll with
+/// `required` 0 let nothing through; kMatchEqual then names kDefaultCategory.
 constexpr bool accepts(CollisionFilter filter, Flags other) {
     const Flags required = filter.required;
-    const Flags present = other & kUserFlags;
+    const Flags present = categoriesOf(other);
     switch (filter.flags & kMatchModes) {
     case kMatchNone:
         return (present & required) == 0;
@@ -65,7 +72,7 @@ constexpr bool accepts(CollisionFilter filter, Flags other) {
     case kMatchAll:
         return required != 0 && (present & required) == required;
     case kMatchEqual:
-        return present == required;
+        return present == (required != 0 ? required : kDefaultCategory);
     default:
         return true;
     }

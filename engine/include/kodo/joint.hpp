@@ -50,7 +50,7 @@ struct JointEnds {
 };
 
 /// Revolute joint, also called hinge or pin: both anchors coincide, and the bodies rotate about
-/// them. With a spring, or with limits beyond -3 to 3 rad, the joint counts its turns.
+/// them. With a spring, a ratchet, or limits beyond -3 to 3 rad, the joint counts its turns.
 struct RevoluteJoint {
     JointEnds ends{};
     Real reference = 0;            // rad, within 1e4; relative angle of b that counts as 0
@@ -60,6 +60,9 @@ struct RevoluteJoint {
     Real target = 0;               // rad, within 1e4; rest angle of the spring
     Real hertz = 0;                // 0 to 1e4; stiffness, as frequency about the anchor; 0: none
     Real damping = 0;              // 0 to 1e4; damping ratio of the spring; 1 is critical
+    /// rad, within 1e4: distance of teeth, which lie at its multiples. After each step the lower
+    /// limit follows the angle up to the last tooth. < 0: the upper one follows it down. 0: none.
+    Real ratchet = 0;
 };
 
 /// Fixed joint: the anchors coincide and the relative angle is constant. Unlike World::weld() it

@@ -16,6 +16,7 @@
 ///             that are no snapshot BadSnapshot, changes within a step std::logic_error. Nothing
 ///             has changed then.
 
+#include <kodo/axis_lock.hpp>
 #include <kodo/debug_draw.hpp>
 #include <kodo/executor.hpp>
 #include <kodo/explosion.hpp>

@@ -324,6 +324,7 @@ class RevoluteJoint(Values):
         ("target", Real),
         ("hertz", Real),
         ("damping", Real),
+        ("ratchet", Real),
     ]
 
 

@@ -27,8 +27,8 @@ class _Ends:
 
 @dataclasses.dataclass
 class RevoluteJoint(_Ends):
-    """Hinge: both anchors coincide, and the bodies rotate about them. With a spring, or with
-    limits beyond -3 to 3 rad, it counts its turns."""
+    """Hinge: both anchors coincide, and the bodies rotate about them. With a spring, a ratchet,
+    or limits beyond -3 to 3 rad, it counts its turns."""
 
     reference: float = 0.0  #: rad; relative angle of b that counts as 0
     limits: Optional[Range] = None  #: rad
@@ -37,6 +37,7 @@ class RevoluteJoint(_Ends):
     target: float = 0.0  #: rad, rest angle of the spring
     hertz: float = 0.0  #: stiffness, as frequency about the anchor; 0: no spring
     damping: float = 0.0  #: damping ratio; 1 is critical
+    ratchet: float = 0.0  #: rad between teeth, with limits: the lower one follows; 0: none
 
 
 @dataclasses.dataclass

@@ -41,6 +41,7 @@ class Flags(enum.IntFlag):
     FROZEN = 1 << 23  #: status: see World.frozen_bodies()
     OUTSIDE = 1 << 24  #: status: outside the region
     NO_SENSORS = 1 << 25  #: of queries alone: parts that are sensors are left out
+    DEFAULT_CATEGORY = 1 << 26  #: of `required` alone: bodies without a category
     MATCH_NONE = 1 << 27  #: collides where none of the required flags is set
     MATCH_ANY = 1 << 28  #: where at least one of the required flags is set
     MATCH_ALL = 1 << 29  #: where all of them are set

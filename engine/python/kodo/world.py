@@ -533,7 +533,15 @@ class World:
         found = self._list("kodo_touching", c.BodyId, id_of(body))
         return [from_body_id(each) for each in found]
 
-    # Explosions.
+    # Explosions and locks of one axis.
+
+    def lock_axis(self, body: BodyLike, axis: Vec2) -> Body:
+        """Locks the motion of a body along one axis (unit), (1, 0) for x: its centre stays on a
+        line through its present place. The rotation stays free. Adds the static body that has the
+        groove, a point that nothing meets, and returns it. Removing that body unlocks."""
+        groove = c.BodyId()
+        call("kodo_lockAxis", self.handle, id_of(body), to_vec2(axis), byref(groove))
+        return Body(self, from_body_id(groove))
 
     def explode(self, center: Vec2, radius: float = 1.0, impulse: float = 1.0, falloff: float = 0.0,
                 which: Filter = Filter()) -> List[ExplosionHit]:

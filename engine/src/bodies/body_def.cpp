@@ -100,8 +100,10 @@ std::optional<Problem> check(const MotionRules& rules) {
 
 std::optional<Problem> checkFlags(const char* field, Flags value) {
     if ((value & kTypeBits) != 0) {
-        return Problem{field, "must not have bits 25 and 26, which are reserved: the type of a "
-                              "body is BodyDef::type, or set by setType()"};
+        return Problem{field,
+                       "must not have bits 25 and 26, which are reserved: the type of a "
+                       "body is BodyDef::type, or set by setType(); kDefaultCategory goes into "
+                       "`required`"};
     }
     if (const Flags unknown = value & ~kKnownFlags; unknown != 0) {
         std::string bits;
@@ -118,8 +120,9 @@ std::optional<Problem> checkFlags(const char* field, Flags value) {
 }
 
 std::optional<Problem> checkRequired(const char* field, Flags value) {
-    if ((value & ~kUserFlags) != 0) {
-        return Problem{field, "must have categories alone: bits 0 to 15 and 32 to 63"};
+    if ((value & ~(kUserFlags | kDefaultCategory)) != 0) {
+        return Problem{field, "must have categories alone: bits 0 to 15 and 32 to 63, and "
+                              "kDefaultCategory"};
     }
     return std::nullopt;
 }

@@ -11,7 +11,7 @@
 namespace kodo {
 inline namespace KODO_PRECISION {
 
-/// The user flags of each block of 64 bodies: a search for bodies that a filter accepts skips the
+/// The categories of each block of 64 bodies: a search for bodies that a filter accepts skips the
 /// blocks without one. A flag that no body of a block has any more stays noted. Scratch: no result
 /// depends on it.
 class FlagBlocks {
@@ -19,7 +19,7 @@ public:
     /// A body has these flags from now on.
     void note(std::size_t body, Flags flags) {
         blocks_.resize(std::max(blocks_.size(), body / kBodies + 1));
-        blocks_[body / kBodies] |= flags & kUserFlags;
+        blocks_[body / kBodies] |= categoriesOf(flags);
     }
 
     /// Calls visit(body) for all bodies of the blocks that may have one which the filter accepts.

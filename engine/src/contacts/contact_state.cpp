@@ -111,8 +111,7 @@ void StepRecords::visitState(StateStream& stream, const Source& source) {
 /// bodies, so they are stored.
 void PartBounds::visitState(StateStream& stream, const Bodies& bodies) {
     auto& [parts, firstPart, room, count, firstBefore, from, listed, usedCount, inOrder, hasMoved,
-           compared, moves, footprints, corners, unusedCorners, tight, grown, changed, isChanged,
-           outgrown] = *this;
+           compared, moves, tight, grown, changed, isChanged, outgrown] = *this;
     if (!stream.reads() && (hasUnused() || !inOrder)) { // the bytes do not depend on indices
         PartBounds renumbered = *this;
         renumbered.renumber();

@@ -36,9 +36,6 @@ Transform poseAfter(const Transform& pose, const BodyVelocity& motion) {
 
 void PartBounds::number(const Bodies& bodies) {
     parts_.clear();
-    footprints_.clear();
-    corners_.clear();
-    unusedCorners_ = 0;
     inOrder_ = true;
     compared_ = 0;
     resizeByBody(firstPart_, bodies);
@@ -51,9 +48,8 @@ void PartBounds::number(const Bodies& bodies) {
             continue;
         }
         std::uint16_t number = 0;
-        for (const auto& part : bodies.geometry(body).parts) {
+        while (number < bodies.geometry(body).parts.size()) {
             parts_.push_back({static_cast<std::uint32_t>(body), number++});
-            addConvex(part.convex);
         }
         room_[body] = count_[body] = number;
     }
@@ -68,36 +64,16 @@ void PartBounds::number(const Bodies& bodies) {
     changed_.clear();
 }
 
-void PartBounds::addConvex(const ConvexShape& convex) {
-    footprints_.push_back({});
-    setConvex(footprints_.size() - 1, convex);
-}
-
-void PartBounds::setConvex(std::size_t i, const ConvexShape& convex) {
-    const std::size_t corners = convex.isPlane() ? 0 : convex.vertices.size();
-    Footprint& footprint = footprints_[i];
-    if (footprint.count != corners) {
-        unusedCorners_ += footprint.count;
-        footprint.first = static_cast<std::uint32_t>(corners_.size());
-        footprint.count = static_cast<std::uint32_t>(corners);
-        corners_.resize(corners_.size() + corners);
-    }
-    footprint.radius = convex.radius;
-    for (std::size_t k = 0; k < corners; ++k) {
-        corners_[footprint.first + k] = convex.vertices[k];
-    }
-}
-
 Octagon PartBounds::at(const Bodies& bodies, std::size_t i, const Transform& pose) const {
-    const Footprint& convex = footprints_[i];
-    if (convex.count == 0) {
-        return Octagon::of(boundsOf(bodies.convex(parts_[i].body, parts_[i].part), pose));
+    const ConvexShape& convex = bodies.convex(parts_[i].body, parts_[i].part);
+    const auto& corners = convex.vertices;
+    if (convex.isPlane()) {
+        return Octagon::of(boundsOf(convex, pose));
     }
-    const Vec2* const corners = &corners_[convex.first];
-    if (convex.count == 1) {
+    if (corners.size() == 1) {
         return Octagon::of(pose * corners[0], convex.radius);
     }
-    return Octagon::of({corners, convex.count}, pose).grown(convex.radius);
+    return Octagon::of(corners, pose).grown(convex.radius);
 }
 
 void PartBounds::renew(const Bodies& bodies, const Tolerances& tolerances) {
@@ -109,14 +85,6 @@ void PartBounds::renew(const Bodies& bodies, const Tolerances& tolerances) {
     listAll();
 }
 
-/// Clears the data of removed parts at these indices, which stay listed if they are.
-void PartBounds::clear(std::uint32_t first, std::uint32_t last) {
-    for (std::uint32_t i = first; i < last; ++i) {
-        unusedCorners_ += footprints_[i].count;
-        footprints_[i] = {};
-    }
-}
-
 /// Gives a body new indices at the end.
 void PartBounds::addRange(std::uint32_t body, std::uint32_t room) {
     firstPart_[body] = static_cast<std::uint32_t>(parts_.size());
@@ -124,7 +92,6 @@ void PartBounds::addRange(std::uint32_t body, std::uint32_t room) {
     for (std::uint32_t part = 0; part < room; ++part) {
         parts_.push_back({body, static_cast<std::uint16_t>(part)});
     }
-    footprints_.resize(parts_.size());
     tight_.resize(parts_.size());
     grown_.resize(parts_.size());
     isChanged_.resize(parts_.size(), 0);
@@ -136,7 +103,6 @@ void PartBounds::resize(std::uint32_t body, std::uint32_t parts) {
     const std::uint32_t first = firstPart_[body];
     const std::uint32_t room = room_[body];
     const bool fits = parts <= room;
-    clear(fits ? first + parts : first, first + count_[body]);
     count_[body] = parts;
     if (fits) {
         return;
@@ -153,9 +119,6 @@ void PartBounds::resize(std::uint32_t body, std::uint32_t parts) {
 }
 
 bool PartBounds::renumberIfDue(std::size_t contacts) {
-    if (unusedCorners_ > corners_.size() / 2) {
-        compactCorners();
-    }
     compared_ += inOrder_ ? 0 : contacts + 1;
     const std::size_t unused = parts_.size() - usedCount_;
     const bool mostUnused = unused > kFewUnused && unused > usedCount_;
@@ -209,7 +172,6 @@ void PartBounds::renumber() {
     inOrder_ = true;
     compared_ = 0;
     moves_ += from_.size();
-    pick(footprints_);
     pick(tight_);
     pick(grown_);
     pick(isChanged_);
@@ -246,27 +208,10 @@ void PartBounds::renew(const Bodies& bodies, const Tolerances& tolerances, std::
     resize(body, parts);
     const std::uint32_t first = firstPart_[body];
     for (std::uint32_t i = first; i < first + parts; ++i) {
-        setConvex(i, bodies.convex(body, i - first));
         tight_[i] = at(bodies, i, bodies.pose[body]);
         grown_[i] = tight_[i].grown(tolerances.margin);
         list(i, changed_);
     }
-}
-
-/// Drops unused corners. Other bodies may have changed and not been renewed yet, so that their
-/// corners are taken from the list, not from the bodies.
-void PartBounds::compactCorners() {
-    unusedCorners_ = 0;
-    std::vector<Vec2> kept;
-    kept.reserve(corners_.size());
-    for (std::size_t i = 0; i < parts_.size(); ++i) {
-        Footprint& footprint = footprints_[i];
-        footprint.count = isUsed(i) ? footprint.count : 0;
-        const auto first = corners_.begin() + static_cast<std::ptrdiff_t>(footprint.first);
-        footprint.first = static_cast<std::uint32_t>(kept.size());
-        kept.insert(kept.end(), first, first + static_cast<std::ptrdiff_t>(footprint.count));
-    }
-    corners_.swap(kept);
 }
 
 void PartBounds::listBody(std::uint32_t body) {

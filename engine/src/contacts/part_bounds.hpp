@@ -72,7 +72,10 @@ public:
     /// Number of bodies, with the removed ones.
     std::uint32_t bodyCount() const { return static_cast<std::uint32_t>(count_.size()); }
     /// True for a part of a plane, which has no bounds.
-    bool isPlane(std::size_t i) const { return isUsed(i) && footprints_[i].count == 0; }
+    bool isPlane(std::size_t i) const {
+        const Vec2 size = tight_[i].box().extent();
+        return isUsed(i) && std::max(size.x, size.y) >= kPlaneExtent;
+    }
     /// Bounds of a part at another pose of its body.
     Octagon at(const Bodies& bodies, std::size_t i, const Transform& pose) const;
     const Octagon& tight(std::size_t i) const { return tight_[i]; }
@@ -113,25 +116,13 @@ public:
 private:
     static constexpr std::size_t kBodiesPerPiece = 128;
 
-    /// Geometry from which the bounds of a part follow. A contiguous copy: the body geometry itself
-    /// is not in the caches during a step.
-    struct Footprint {
-        std::uint32_t first = 0; // index in corners_
-        std::uint32_t count = 0; // of corners; 1: circle or point; 0: plane
-        Real radius = 0;         // m
-    };
-
     static constexpr std::uint16_t kNoPart = kMaxParts; // of an index that no body has
 
-    void addConvex(const ConvexShape& convex);
-    void setConvex(std::size_t i, const ConvexShape& convex);
-    void clear(std::uint32_t first, std::uint32_t last);
     void addRange(std::uint32_t body, std::uint32_t room);
     void resize(std::uint32_t body, std::uint32_t parts);
     void renumber();
     template <typename T>
     void pick(std::vector<T>& list) const;
-    void compactCorners();
     void list(std::size_t i, std::vector<std::uint32_t>& changed);
     template <typename Outgrow>
     void listOutgrown(const Bodies& bodies, WorkerTeam& team, Outgrow outgrow);
@@ -148,9 +139,6 @@ private:
     bool hasMoved_ = false;
     std::uint64_t compared_ = 0; // contacts by rank, since the order was lost
     std::uint64_t moves_ = 0;
-    std::vector<Footprint> footprints_;
-    std::vector<Vec2> corners_;
-    std::size_t unusedCorners_ = 0; // number of corners_ of removed shapes
     std::vector<Octagon> tight_;
     std::vector<Octagon> grown_;
     std::vector<std::uint32_t> changed_;

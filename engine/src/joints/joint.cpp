@@ -86,8 +86,13 @@ std::optional<Problem> checkLinearMotor(const Joint& joint, Real unit) {
 }
 
 std::optional<Problem> checkKind(const RevoluteJoint& joint, Real) {
+    if (joint.ratchet != 0 && !joint.limits) {
+        return Problem{"ratchet", "needs limits, one of which follows the angle: give the range "
+                                  "of the wheel"};
+    }
     return firstOf({checkReference(joint.reference), checkRotaryMotor(joint), checkSpring(joint),
                     checkRange("target", joint.target, -kAngle, kAngle, "rad"),
+                    checkRange("ratchet", joint.ratchet, -kAngle, kAngle, "rad"),
                     checkLimits(joint.limits, -kAngle, kAngle, "rad")});
 }
 

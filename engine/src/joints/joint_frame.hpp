@@ -69,7 +69,7 @@ struct JointFrame {
 /// True for a joint that stores how many turns its angle has made.
 inline bool countsTurns(const RevoluteJoint& joint) {
     constexpr Real kWithin = 3; // rad; such limits need no turns
-    return joint.hertz > 0 ||
+    return joint.hertz > 0 || joint.ratchet != 0 ||
            (joint.limits && (joint.limits->lower < -kWithin || joint.limits->upper > kWithin));
 }
 

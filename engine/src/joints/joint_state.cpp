@@ -4,6 +4,8 @@
 #include "joints/joint_frame.hpp"
 #include "joints/joint_set.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <variant>
 
 namespace kodo {
@@ -70,6 +72,16 @@ JointState stateOfKind(const Joint& joint, const Bodies& bodies, Real counted) {
     return state;
 }
 
+/// A limit of a ratchet follows the angle (rad) to the last tooth; not if that is NaN.
+void catchTooth(RevoluteJoint& joint, Real angle) {
+    const Real tooth = joint.ratchet * std::floor(angle / joint.ratchet);
+    if (joint.ratchet > 0) {
+        joint.limits->lower = std::max(joint.limits->lower, std::min(tooth, joint.limits->upper));
+    } else if (joint.ratchet < 0) {
+        joint.limits->upper = std::min(joint.limits->upper, std::max(tooth, joint.limits->lower));
+    }
+}
+
 } // namespace
 
 std::vector<JointId> JointSet::ids() const {
@@ -95,10 +107,11 @@ std::vector<JointId> JointSet::ids(std::uint32_t body) const {
 void JointSet::count(Bodies& bodies) {
     for (const std::uint32_t index : awake_) {
         Joint& joint = joints_[index];
-        if (const auto* revolute = std::get_if<RevoluteJoint>(&joint.def);
+        if (auto* const revolute = std::get_if<RevoluteJoint>(&joint.def);
             revolute != nullptr && countsTurns(*revolute)) {
             joint.counted = frameOf(bodies, turned_, revolute->ends)
                                 .countedAngle(revolute->reference, joint.counted);
+            catchTooth(*revolute, joint.counted);
         } else if (const auto* gear = std::get_if<GearJoint>(&joint.def)) {
             joint.counted = slipOf(*gear, frameOf(bodies, turned_, gear->ends), joint.counted);
         }

@@ -68,12 +68,12 @@ std::size_t unusedNumbers(const FixedJoint& joint) {
 std::size_t unusedNumbers(const DistanceJoint& joint) {
     return joint.motorSpeed == 0 && joint.motorForce == 0 ? 2 : 0;
 }
-template <typename Joint>
-requires requires(Joint joint) {
-    joint.target = Real(0);
-}
-std::size_t unusedNumbers(const Joint& joint) {
+std::size_t unusedNumbers(const PrismaticJoint& joint) {
     return joint.target == 0 && joint.hertz == 0 && joint.damping == 0 ? 3 : 0;
+}
+std::size_t unusedNumbers(const RevoluteJoint& joint) {
+    const bool springs = joint.target != 0 || joint.hertz != 0 || joint.damping != 0;
+    return joint.ratchet != 0 ? 0 : springs ? 1 : 4;
 }
 
 /// Writes the numbers of a joint. Unused ones and user data of 0 add nothing.
