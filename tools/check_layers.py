@@ -29,7 +29,7 @@ PUBLIC = {
     "bodies": "filter body force_field settings collision_record joint",
     "world": "world query snapshot kodo",
     "draw": "debug_draw",
-    "helpers": "mover explosion",
+    "helpers": "mover explosion axis_lock",
 }
 LAYER_OF = {name: layer for layer, names in PUBLIC.items() for name in names.split()}
 

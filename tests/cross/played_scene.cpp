@@ -117,6 +117,7 @@ private:
         const kodo::Flags own = body.def.flags & kodo::kUserFlags;
         const kodo::Flags wanted = body.def.required;
         const kodo::Flags match = body.def.flags & kodo::kMatchModes;
+        lacks((wanted & kodo::kDefaultCategory) != 0, body.line, "the default category");
         lacks((own | wanted) > kMostCategory, body.line, "a category above 15");
         lacks(match != 0 && match != kodo::kMatchAny, body.line, "collides other than any");
         made.category = static_cast<std::uint16_t>(own);
@@ -250,6 +251,7 @@ private:
 
     void fill(const kodo::RevoluteJoint& def, int line, Link& link) {
         lacks(def.hertz != 0, line, "hertz of a revolute joint");
+        lacks(def.ratchet != 0, line, "a ratchet");
         link.kind = Link::Kind::RevoluteJoint;
         link.motorSpeed = number(def.motorSpeed);
         link.motorTorque = number(def.motorTorque);

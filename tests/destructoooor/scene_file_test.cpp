@@ -91,7 +91,7 @@ TEST(SceneFile, HoldsEachShapeSurfaceAndFilter) {
                       .gravityScale = -2,
                       .flags = kodo::category(3) | kodo::category(47) | kodo::kMatchAny |
                                kodo::kNeverSleep | kodo::kLockRotate,
-                      .required = kodo::category(20),
+                      .required = kodo::category(20) | kodo::kDefaultCategory,
                       .group = -4};
     box.material = {0.9_r, 0.5_r, 0.25_r, 0.125_r, -2, kodo::MixRule::Maximum, kodo::MixRule::Mean};
     world.add(box);
@@ -145,7 +145,8 @@ TEST(SceneFile, HoldsEachKindOfJointAndField) {
                                   .motorTorque = 3,
                                   .target = 0.25_r,
                                   .hertz = 2,
-                                  .damping = 1});
+                                  .damping = 1,
+                                  .ratchet = 0.125_r});
     world.add(kodo::FixedJoint{.ends = ends, .hertz = 5});
     world.add(kodo::DistanceJoint{.ends = ends, .hertz = 2, .damping = 0.5_r});
     world.add(kodo::DistanceJoint{.ends = ends, .length = 3, .limits = kodo::Range{0, 4}});

@@ -82,7 +82,7 @@ void writeMaterial(Lines& lines, const kodo::Material& material, const kodo::Mat
 
 void writeFilter(Lines& lines, const kodo::CollisionFilter& filter, bool always) {
     if (always || (filter.flags & kodo::kUserFlags) != 0) {
-        lines.add("categories", categoriesOf(filter.flags));
+        lines.add("categories", categoryList(filter.flags));
     }
     writeMatch(lines, filter);
     lines.flag("sensor", (filter.flags & kodo::kSensor) != 0);
@@ -208,7 +208,7 @@ void writeMatch(Lines& lines, const kodo::CollisionFilter& filter) {
         }
     }
     if (filter.required != 0) {
-        lines.add("with", categoriesOf(filter.required));
+        lines.add("with", categoryList(filter.required));
     }
     if (filter.group != 0) {
         lines.add("group", std::to_string(filter.group));

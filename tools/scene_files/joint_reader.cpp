@@ -26,7 +26,7 @@ public:
                         "limit",        "limits",   "motor_speed", "motor_torque", "motor_force",
                         "target",       "force",    "torque",      "ground_a",     "ground_b",
                         "ratio",        "rack",     "hertz",       "damping",      "break_force",
-                        "break_torque", "collide"},
+                        "break_torque", "collide",  "ratchet"},
                        "joint.");
         table.need("kind");
         const std::size_t kind = table.choice("kind", kJointKinds).value_or(0);

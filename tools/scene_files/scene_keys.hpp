@@ -110,6 +110,9 @@ void jointKeys(Keys& keys, Joint& joint) {
         keys.take("hertz", joint, &Own::hertz);
         keys.take("damping", joint, &Own::damping);
     }
+    if constexpr (requires { joint.ratchet; }) {
+        keys.take("ratchet", joint, &Own::ratchet);
+    }
 }
 
 /// The keys that the ends of a joint have beside bodies and anchors.

@@ -38,12 +38,15 @@ inline std::string inQuotes(std::string_view words) {
     }
     return made + "\"";
 }
-inline std::string categoriesOf(kodo::Flags flags) {
+inline std::string categoryList(kodo::Flags flags) {
     std::string all;
     for (unsigned number = 0; number < kCategories; ++number) {
         if ((flags & kodo::category(number)) != 0) {
             all += (all.empty() ? "" : ", ") + std::to_string(number);
         }
+    }
+    if ((flags & kodo::kDefaultCategory) != 0) {
+        all += all.empty() ? "\"default\"" : ", \"default\"";
     }
     return "[" + all + "]";
 }

@@ -97,6 +97,11 @@ std::optional<Flags> Table::categories(const std::string& key) {
     const toml::array* list = node->as_array();
     bool good = list != nullptr;
     for (std::size_t i = 0; good && i < list->size(); ++i) {
+        const auto* name = list->get(i)->as_string();
+        if (key == "with" && name != nullptr && name->get() == "default") {
+            all |= kodo::kDefaultCategory;
+            continue;
+        }
         const auto* number = list->get(i)->as_integer();
         good = number != nullptr && number->get() >= 0 && number->get() < kCategories;
         all |= good ? kodo::category(static_cast<unsigned>(number->get())) : 0;
