@@ -203,7 +203,8 @@ void Panel::sceneList(Workbench& bench) {
         const bool open = ImGui::CollapsingHeader(group.c_str());
         for (; i < all.size() && all[i].group == group; ++i) {
             const std::string name(all[i].name);
-            const bool chosen = !touring && i == bench.sandbox.sceneIndex();
+            const bool chosen =
+                !touring && !bench.sandbox.isLoaded() && i == bench.sandbox.sceneIndex();
             if (open && ImGui::Selectable(name.c_str(), chosen)) {
                 bench.open(i);
             }

@@ -83,7 +83,7 @@ private:
     }
     static bool isZero(kodo::Vec2 value) { return isZero(value.x) || isZero(value.y); }
 
-    void write(const char* key, kodo::Real value, Real) { add(key, textOf(value)); }
+    void write(const char* key, kodo::Real value, kodo::Real) { add(key, textOf(value)); }
     void write(const char* key, int value, int) { add(key, std::to_string(value)); }
     void write(const char* key, bool value, bool) { flag(key, value); }
     void write(const char* key, kodo::Vec2 value, kodo::Vec2) { add(key, textOf(value)); }
