@@ -87,24 +87,24 @@ Stage::Stage(StageDef def)
         records_.profile().mapped = true;
         records_.profile().reached = reachedBy(def_.levels, profile());
     }
-    level_ = std::min(def_.firstLevel, def_.levels.size() - 1);
+    played_.level = std::min(def_.firstLevel, def_.levels.size() - 1);
     if (def_.reload) {
-        records_.setLevel(def_.levels[level_]);
+        records_.setLevel(def_.levels[played_.level]);
     }
     if (def_.show) {
-        level_ = map_.nextLevel(records_);
-        theatre_.begin(*def_.show);
+        played_.level = map_.nextLevel(records_);
+        watched_.theatre.begin(*def_.show);
         enterShow();
     } else if (def_.firstEdit) {
         edit(std::move(*def_.firstEdit));
     } else if (def_.firstEndless > 0 || def_.firstDay > 0) {
         beginRun(def_.firstDay);
     } else if (def_.duel) {
-        beginDuel(level_);
+        beginDuel(played_.level);
     } else if (def_.startAtOnce) {
-        begin(level_);
+        begin(played_.level);
     } else {
-        level_ = map_.nextLevel(records_);
+        played_.level = map_.nextLevel(records_);
         toTitle();
     }
 }
@@ -114,9 +114,9 @@ void Stage::beginGame(std::shared_ptr<const Level> level, std::uint32_t seed) {
     const Mode mode = profile().mode;
     enter(std::make_unique<Play>(std::move(level), seed, mode, profile().audible()),
           Session::Kind::Own);
-    ++games_;
-    records_.checkFirst(mode, endless_.keyOf(game()));
-    if (endless_.number > 0 || settings().ghost == 0 || def_.pilot) {
+    ++played_.games;
+    records_.checkFirst(mode, played_.endless.keyOf(game()));
+    if (played_.endless.number > 0 || settings().ghost == 0 || def_.pilot) {
         return;
     }
     if (def_.rival && def_.rival->level == game().level().name &&
@@ -129,7 +129,7 @@ void Stage::beginGame(std::shared_ptr<const Level> level, std::uint32_t seed) {
 }
 
 void Stage::enterShow() {
-    const Show& show = theatre_.show();
+    const Show& show = watched_.theatre.show();
     enter(std::make_unique<Play>(show.level, show.seed, show.mode, profile().audible()),
           Session::Kind::Show);
     session_.compareWith(show.hashes);
@@ -139,7 +139,7 @@ void Stage::enter(std::unique_ptr<Play> play, Session::Kind kind) {
     keepGame();
     session_.begin(std::move(play), kind);
     over_.rerun.reset();
-    divergence_ = {};
+    watched_.divergence = {};
     reload_.due = false;
     screen_ = Screen::Playing;
     inputMapper_.letGo();
@@ -148,10 +148,10 @@ void Stage::enter(std::unique_ptr<Play> play, Session::Kind kind) {
 /// `namesBoss`: a boss without a result yet is named before the game.
 void Stage::begin(std::size_t level, bool namesBoss) {
     keepGame();
-    level_ = level;
-    endless_ = {};
+    played_.level = level;
+    played_.endless = {};
     const bool isFirst = !isPlayed(*def_.levels[level], profile());
-    beginGame(def_.levels[level], def_.seed + games_);
+    beginGame(def_.levels[level], def_.seed + played_.games);
     if (namesBoss && isFirst && map_.stops()[level].boss) {
         screen_ = Screen::BossCard;
         over_.seconds = 0;
@@ -159,43 +159,43 @@ void Stage::begin(std::size_t level, bool namesBoss) {
 }
 
 void Stage::beginEndless(std::uint32_t number) {
-    endless_.number = number;
-    if (endless_.day > 0) {
-        beginGame(def_.daily(endless_.day, number), dailySeed(endless_.day, number));
+    played_.endless.number = number;
+    if (played_.endless.day > 0) {
+        beginGame(def_.daily(played_.endless.day, number), dailySeed(played_.endless.day, number));
     } else {
-        beginGame(def_.endless(endless_.seed, number), def_.seed + games_);
+        beginGame(def_.endless(played_.endless.seed, number), def_.seed + played_.games);
     }
 }
 
 /// Starts the daily run of a day, or an endless run if it is 0.
 void Stage::beginRun(Day day) {
     keepGame();
-    endless_ = {};
-    endless_.day = day;
-    endless_.seed = def_.endlessSeed ? def_.endlessSeed() : def_.seed;
+    played_.endless = {};
+    played_.endless.day = day;
+    played_.endless.seed = def_.endlessSeed ? def_.endlessSeed() : def_.seed;
     beginEndless(day > 0 ? 1 : std::max(def_.firstEndless, 1u));
 }
 
 void Stage::again() {
     if (session_.isShow() || session_.isWhatIf()) {
-        theatre_.begin(*def_.show);
+        watched_.theatre.begin(*def_.show);
         return enterShow();
     }
-    if (endless_.number == 0) {
-        return begin(level_);
+    if (played_.endless.number == 0) {
+        return begin(played_.level);
     }
-    beginRun(endless_.day);
+    beginRun(played_.endless.day);
 }
 
 void Stage::next() {
-    if (endless_.number == 0 && map_.isLastBoss(level_)) {
+    if (played_.endless.number == 0 && map_.isLastBoss(played_.level)) {
         open(Screen::Ending, endingMenu());
-    } else if (endless_.number > 0) {
-        endless_.score += session_.game().score();
-        endless_.before = endless_.with(session_.record());
-        beginEndless(endless_.number + 1);
+    } else if (played_.endless.number > 0) {
+        played_.endless.score += session_.game().score();
+        played_.endless.before = played_.endless.with(session_.record());
+        beginEndless(played_.endless.number + 1);
     } else {
-        begin(std::min(level_ + 1, def_.levels.size() - 1), true);
+        begin(std::min(played_.level + 1, def_.levels.size() - 1), true);
     }
 }
 
@@ -203,9 +203,9 @@ void Stage::next() {
 void Stage::demo(std::size_t level) {
     const Screen screen = screen_;
     keepGame();
-    level_ = level;
-    endless_ = {};
-    enter(std::make_unique<Play>(def_.levels[level], def_.seed + games_, profile().mode,
+    played_.level = level;
+    played_.endless = {};
+    enter(std::make_unique<Play>(def_.levels[level], def_.seed + played_.games, profile().mode,
                                  profile().audible()),
           Session::Kind::Demo);
     screen_ = screen;
@@ -227,11 +227,11 @@ void Stage::advance(double seconds, const Signals& signals, Speaker& speaker) {
     const bool playing = screen_ == Screen::Playing || dueling;
     if (records_.advance(playing ? kCheckInGames : kCheckInMenus, !playing) &&
         screen_ == Screen::Title) {
-        level_ = map_.nextLevel(records_);
-        refreshTitle(menu_, offerOf(def_, level_), records_);
+        played_.level = map_.nextLevel(records_);
+        refreshTitle(menu_, offerOf(def_, played_.level), records_);
     }
-    if (help_ && screen_ == Screen::Help) {
-        help_->advance(seconds);
+    if (pages_.help && screen_ == Screen::Help) {
+        pages_.help->advance(seconds);
     }
     const bool menu =
         screen_ == Screen::Options || screen_ == Screen::Keys || screen_ == Screen::Help;
@@ -247,13 +247,13 @@ void Stage::advance(double seconds, const Signals& signals, Speaker& speaker) {
     if (over_.rerun) {
         return over_.rerun->advance(seconds);
     }
-    session_.elapse(seconds, session_.isShow() ? theatre_.pace() : 1, settings());
+    session_.elapse(seconds, session_.isShow() ? watched_.theatre.pace() : 1, settings());
     while (session_.takeTick()) {
         tick(speaker);
     }
-    if (session_.isShow() && session_.divergedAt() && divergence_.news.empty()) {
-        divergence_.news = divergenceText(session_);
-        divergence_.newsAt = seconds_;
+    if (session_.isShow() && session_.divergedAt() && watched_.divergence.news.empty()) {
+        watched_.divergence.news = divergenceText(session_);
+        watched_.divergence.newsAt = seconds_;
     }
 }
 
@@ -263,20 +263,20 @@ void Stage::tick(Speaker& speaker) {
         const std::optional<Input> wish = def_.bot ? def_.bot(game()) : Input{};
         session_.tick(wish.value_or(Input{}), settings(), silence);
         if (session_.overdue() || game().ticks() >= kDemoTicks) {
-            const std::size_t own = level_;
-            demo(screen_ == Screen::Levels ? own : demos_++ % def_.levels.size());
-            level_ = own;
+            const std::size_t own = played_.level;
+            demo(screen_ == Screen::Levels ? own : played_.demos++ % def_.levels.size());
+            played_.level = own;
         }
         return;
     }
     std::optional<Input> input = inputMapper_.next();
-    if (const Pilot& pilot = session_.isShow() ? theatre_.show().pilot : def_.pilot) {
+    if (const Pilot& pilot = session_.isShow() ? watched_.theatre.show().pilot : def_.pilot) {
         input = pilot(game());
     }
     session_.tick(input, settings(), speaker);
     if (session_.overdue() && screen_ == Screen::Playing) {
         std::string problem;
-        if (session_.isShow() && theatre_.next(problem)) {
+        if (session_.isShow() && watched_.theatre.next(problem)) {
             return enterShow();
         }
         records_.note(problem);
@@ -291,7 +291,7 @@ void Stage::keepGame() {
         records_.count(game().level().theme, session_.statistics().totalsOf(game()));
     }
     if (session_.takeUnkept() && isRecorded(game().level())) {
-        records_.keepLast(endless_.with(session_.record()));
+        records_.keepLast(played_.endless.with(session_.record()));
     }
 }
 
@@ -304,10 +304,11 @@ void Stage::finish() {
     over_.seconds = 0;
     session_.endFanfare();
     const Game& game = session_.game();
-    const std::string name = endless_.keyOf(game);
-    const MedalMarks* marks = endless_.number > 0 ? nullptr : marksFor(name, records_.marks());
+    const std::string name = played_.endless.keyOf(game);
+    const MedalMarks* marks =
+        played_.endless.number > 0 ? nullptr : marksFor(name, records_.marks());
     Best best = session_.statistics().bestOf(game, marks);
-    best.score += endless_.number > 0 ? endless_.score : 0;
+    best.score += played_.endless.number > 0 ? played_.endless.score : 0;
     over_.newBest = false;
     over_.notes = notesOf(session_, records_);
     over_.entered = !def_.pilot && session_.kind() == Session::Kind::Own &&
@@ -316,23 +317,24 @@ void Stage::finish() {
         session_.takeUnkept(); // enter() keeps it
         keepGame();
         over_.newBest =
-            records_.enter({{game.mode(), name}, best, endless_.with(session_.record())});
+            records_.enter({{game.mode(), name}, best, played_.endless.with(session_.record())});
     }
     over_.rerun = session_.rerun();
     std::vector<MenuItem> items;
     map_.update(records_);
-    const bool run = endless_.number > 0;
-    const bool ends = !run && map_.isLastBoss(level_);
+    const bool run = played_.endless.number > 0;
+    const bool ends = !run && map_.isLastBoss(played_.level);
     const bool more =
-        run || ends || (level_ + 1 < def_.levels.size() && map_.stops()[level_ + 1].open());
+        run || ends ||
+        (played_.level + 1 < def_.levels.size() && map_.stops()[played_.level + 1].open());
     const bool won = game.result() == Result::Won && !session_.isShow();
     if (won && more) {
         items.push_back({Action::NextLevel, ends ? "The ending" : "Next level"});
-    } else if (won && level_ + 1 < def_.levels.size()) { // what the next level asks for
+    } else if (won && played_.level + 1 < def_.levels.size()) { // what the next level asks for
         items.push_back({Action::Levels, "Map"});
     }
     items.push_back({Action::Restart, session_.isShow() ? "Watch again" : "Play again"});
-    if (replays_.leadsFrom(session_)) {
+    if (watched_.list.leadsFrom(session_)) {
         items.push_back({Action::Replays, "All replays"});
     }
     if (items[0].action != Action::Levels) {

@@ -3,6 +3,7 @@
 
 #include <apart/stage/controls/input_mapper.hpp>
 #include <apart/stage/painters/hud.hpp>
+#include <apart/stage/play/endless_run.hpp>
 #include <apart/stage/play/session.hpp>
 #include <apart/stage/records/campaign.hpp>
 #include <apart/stage/records/theatre.hpp>
@@ -69,27 +70,6 @@ struct StageDef {
     std::optional<Replay> rival{}; // played beside the games of its level, instead of the best one
     Pilot bot{};                   // plays behind the title screen, if set
     Pilot pilot{};                 // plays all games instead of the player, if set
-};
-
-struct EndlessRun {
-    std::uint32_t number = 0; // of the current level; 0: none
-    std::int32_t score = 0;   // of the previous levels
-    ReplayRun before{};       // their replays
-    Day day = 0;              // of a daily run; 0: it is none
-    std::uint32_t seed = 0;   // of the levels of a run that is not daily
-
-    /// Key of the scores of a game: of the run, or else of its level.
-    std::string keyOf(const Game& game) const {
-        return day > 0 ? dailyKey(day) : number > 0 ? kEndlessKey : game.level().name;
-    }
-    /// The run with its current level.
-    ReplayRun with(std::optional<Replay> last) const {
-        ReplayRun run = before;
-        if (last) {
-            run.push_back(std::move(*last));
-        }
-        return run;
-    }
 };
 
 enum class Screen : std::uint8_t {
@@ -202,10 +182,27 @@ private:
     void edit(EditorStart start);
     bool takeShare(const Signals& signals);
 
-    /// The options or the help.
-    struct Behind {
-        Screen screen = Screen::Title; // behind them
-        int page = 0;                  // of kDialPages
+    /// What is played: by the player, or by the bot behind a menu.
+    struct Played {
+        std::size_t level = 0; // of the list, if no endless one
+        EndlessRun endless{};
+        std::uint32_t games = 0; // number of games started by the player
+        std::size_t demos = 0;   // number of games started by the bot
+    };
+
+    /// The replays, and the one that is shown.
+    struct Watched {
+        ReplayList list{};
+        Theatre theatre{};
+        Reload divergence{}; // news of the replay
+    };
+
+    /// The options, the keys and the help.
+    struct Pages {
+        Screen behind = Screen::Title; // behind options or help
+        int dials = 0;                 // page of the options, of kDialPages
+        KeyScreen keys{};
+        std::optional<HelpPage> help{}; // of Screen::Help
     };
 
     /// The result screen.
@@ -219,23 +216,16 @@ private:
 
     StageDef def_;
     Screen screen_ = Screen::Title;
-    Behind options_;
     bool quit_ = false;
-    std::size_t level_ = 0;
-    EndlessRun endless_;
-    std::uint32_t games_ = 0; // number of games started by the player
-    std::size_t demos_ = 0;   // number of games started by the bot
     Session session_;
-    Theatre theatre_;
-    ReplayList replays_;
+    Played played_;
+    Watched watched_;
+    Pages pages_;
     Records records_;
     Confirm confirm_;
     Reload reload_;
-    Reload divergence_; // news of a replay
     InputMapper inputMapper_;
     Menu menu_;
-    KeyScreen keys_;
-    std::optional<HelpPage> help_; // of Screen::Help
     LevelMap map_;
     std::unique_ptr<EditorScreen> editor_; // also while its level is tried
     std::unique_ptr<Duel> duel_;           // the last one

@@ -9,7 +9,8 @@ void Stage::beginDuel(std::size_t level) {
     demo(level);
     map_.update(records_);
     const bool more = level + 1 < def_.levels.size() && map_.stops()[level + 1].open();
-    duel_ = std::make_unique<Duel>(def_.levels[level], def_.seed + games_++, profile().mode, more);
+    duel_ = std::make_unique<Duel>(def_.levels[level], def_.seed + played_.games++, profile().mode,
+                                   more);
     screen_ = Screen::Duel;
 }
 
@@ -31,7 +32,7 @@ bool Stage::takeDuel(const Signals& signals) {
         toTitle();
         break;
     default:
-        beginDuel(*action == Action::NextLevel ? level_ + 1 : level_);
+        beginDuel(*action == Action::NextLevel ? played_.level + 1 : played_.level);
     }
     return true;
 }

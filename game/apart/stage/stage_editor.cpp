@@ -8,7 +8,7 @@ namespace apart {
 
 void Stage::edit(EditorStart start) {
     if (screen_ == Screen::Title) {
-        demo(level_); // behind the editor, if it is the first screen
+        demo(played_.level); // behind the editor, if it is the first screen
     }
     editor_ = std::make_unique<EditorScreen>(std::move(start), profile().audible());
     screen_ = Screen::Editor;
@@ -23,7 +23,7 @@ bool Stage::takeEditor(const Signals& signals) {
                       : command == Command::Restart ? Wish::Try
                                                     : Wish::None;
     if (wish == Wish::Try) {
-        endless_ = {};
+        played_.endless = {};
         enter(editor_->trialPlay(), Session::Kind::Own);
         return true;
     }
@@ -36,7 +36,7 @@ bool Stage::takeEditor(const Signals& signals) {
     if (wish == Wish::None) {
         return true;
     }
-    std::size_t shown = level_;
+    std::size_t shown = played_.level;
     if (editor_->wasSaved() && editor_->start().listed) { // it stands among the levels from now on
         const std::shared_ptr<const Level>& saved = editor_->document().saved();
         const auto found =
@@ -52,7 +52,7 @@ bool Stage::takeEditor(const Signals& signals) {
         map_.setLevels(def_.levels);
     }
     editor_.reset();
-    level_ = shown;
+    played_.level = shown;
     toLevels();
     return true;
 }

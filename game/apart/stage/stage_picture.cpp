@@ -224,28 +224,30 @@ void paintTitleScreen(Canvas& canvas, const Menu& menu, double seconds,
 HudLook hudLookOf(const Stage& stage) {
     HudLook look;
     const Session& session = stage.session_;
-    const EndlessRun& run = stage.endless_;
+    const EndlessRun& run = stage.played_.endless;
     const bool replay = session.isShow() || session.isWhatIf();
     look.place = placeOf(stage.game().level(), stage.def_.levels, run.number,
-                         replay ? stage.theatre_.show().day : run.day);
+                         replay ? stage.watched_.theatre.show().day : run.day);
     look.scoreBefore = run.number > 0 ? run.score : 0;
     look.best = stage.records_.provedScore(stage.game().mode(), run.keyOf(stage.game()));
     look.keys = stage.profile().bindings;
     look.muted = stage.profile().audible().sound == 0;
     if (session.isShow()) {
-        look.pilot = stage.theatre_.paused() ? "REPLAY  paused"
-                                             : "REPLAY  " + stage.theatre_.speedText() + " x";
-        look.foot = stage.theatre_.timeText(session.clock());
+        look.pilot = stage.watched_.theatre.paused()
+                         ? "REPLAY  paused"
+                         : "REPLAY  " + stage.watched_.theatre.speedText() + " x";
+        look.foot = stage.watched_.theatre.timeText(session.clock());
     } else if (session.isWhatIf()) {
         look.pilot = "WHAT IF   no score";
         look.takenOver = true;
-        look.foot = takenOverText(stage.replays_, stage.theatre_, session.takenOverAt());
+        look.foot =
+            takenOverText(stage.watched_.list, stage.watched_.theatre, session.takenOverAt());
     }
     return look;
 }
 
 ShownGame shownBy(const Stage& stage) {
-    const bool help = stage.screen_ == Screen::Help && stage.help_;
+    const bool help = stage.screen_ == Screen::Help && stage.pages_.help;
     const bool wide = (stage.session_.isDemo() && stage.screen_ != Screen::Editor) || help;
     if (stage.over_.rerun) {
         return {stage.over_.rerun->play().game(), {}, wide};
@@ -255,7 +257,7 @@ ShownGame shownBy(const Stage& stage) {
 
 void paintOver(Canvas& canvas, const Stage& stage) {
     const Stage::Outcome& over = stage.over_;
-    const EndlessRun& run = stage.endless_;
+    const EndlessRun& run = stage.played_.endless;
     if (stage.screen_ == Screen::Ending) {
         paintEnding(canvas, stage.game(), stage.session_.statistics(),
                     tallyOf(stage.def_.levels, stage.def_.campaign, stage.profile(),
@@ -283,9 +285,9 @@ void paintOver(Canvas& canvas, const Stage& stage) {
 void paintPlaying(Canvas& canvas, const Stage& stage, std::string_view question) {
     const Session& session = stage.session_;
     if (session.isShow()) {
-        paintReload(canvas, stage.divergence_, stage.seconds_);
-        return paintTheatre(canvas, stage.theatre_, session.clock(),
-                            stage.replays_.leadsFrom(session) ? "all replays" : "menu");
+        paintReload(canvas, stage.watched_.divergence, stage.seconds_);
+        return paintTheatre(canvas, stage.watched_.theatre, session.clock(),
+                            stage.watched_.list.leadsFrom(session) ? "all replays" : "menu");
     }
     const Bindings& keys = stage.profile().bindings;
     const Reload& reload = stage.reload_;
@@ -301,7 +303,7 @@ void paintPlaying(Canvas& canvas, const Stage& stage, std::string_view question)
 }
 
 void Stage::draw(Canvas& canvas) const {
-    const bool help = screen_ == Screen::Help && help_;
+    const bool help = screen_ == Screen::Help && pages_.help;
     const ShownGame shown = apart::shownBy(*this);
     const Closeup& closeup = shown.closeup;
     const bool still = help || screen_ == Screen::Duel;
@@ -310,7 +312,7 @@ void Stage::draw(Canvas& canvas) const {
     canvas.setPalette(static_cast<Vision>(std::clamp(settings().colors, 0, 3)));
     canvas.setTextScale(static_cast<Real>(settings().text) / 100);
     if (help) {
-        return help_->draw(canvas, profile().bindings);
+        return pages_.help->draw(canvas, profile().bindings);
     }
     if (screen_ == Screen::Editor) {
         return editor_->draw(canvas, seconds_);
@@ -336,7 +338,7 @@ void Stage::draw(Canvas& canvas) const {
     if (!shown.wide) {
         paintHud(canvas, game(), hudLookOf(*this));
     }
-    const std::string question = questionOf(confirm_.question(seconds_), session_, endless_);
+    const std::string question = questionOf(confirm_.question(seconds_), session_, played_.endless);
     switch (screen_) {
     case Screen::Title:
         return attracting() ? paintAttract(canvas, seconds_)
@@ -348,7 +350,7 @@ void Stage::draw(Canvas& canvas) const {
         return paintOptions(canvas, menu_, confirm_.question(seconds_));
     case Screen::Keys:
         paintVeil(canvas, faded(palette::kNight, 0.84f));
-        return keys_.draw(canvas, profile().bindings);
+        return pages_.keys.draw(canvas, profile().bindings);
     case Screen::Records:
         paintVeil(canvas, faded(palette::kNight, 0.84f));
         paintStatistics(canvas, profile().totals);

@@ -28,7 +28,8 @@ void Stage::takePlaying(const Signals& signals) {
             break;
         case Command::Back:
         case Command::Pause:
-            return over ? finish() : open(Screen::Paused, pauseMenu(replays_.leadsFrom(session_)));
+            return over ? finish()
+                        : open(Screen::Paused, pauseMenu(watched_.list.leadsFrom(session_)));
         case Command::Restart:
             if (mayEnd(Ending::Restart)) {
                 if (over) {
@@ -42,29 +43,29 @@ void Stage::takePlaying(const Signals& signals) {
         }
     }
     if (signals.focusLost && !over) {
-        open(Screen::Paused, pauseMenu(replays_.leadsFrom(session_)));
+        open(Screen::Paused, pauseMenu(watched_.list.leadsFrom(session_)));
     }
 }
 
 void Stage::takeShow(const Signals& signals) {
     const auto seek = [&](std::int64_t tick) {
-        session_.seek(tick, theatre_.show().pilot, settings());
+        session_.seek(tick, watched_.theatre.show().pilot, settings());
     };
-    if (const std::optional<std::int64_t> tick = theatre_.drag(signals)) {
+    if (const std::optional<std::int64_t> tick = watched_.theatre.drag(signals)) {
         seek(*tick);
     }
     for (const Command command : signals.commands) {
         if (command == Command::Back) {
-            return replays_.leadsFrom(session_) ? act({Action::Replays})
-                                                : open(Screen::Paused, pauseMenu(false));
+            return watched_.list.leadsFrom(session_) ? act({Action::Replays})
+                                                     : open(Screen::Paused, pauseMenu(false));
         }
-        const Theatre::Request request = theatre_.take(command, game().ticks());
+        const Theatre::Request request = watched_.theatre.take(command, game().ticks());
         if (request.tick) {
             seek(*request.tick);
         }
         if (request.takeOver && game().result() == Result::Playing) {
             session_.takeOver();
-            return open(Screen::Paused, pauseMenu(replays_.leadsFrom(session_)));
+            return open(Screen::Paused, pauseMenu(watched_.list.leadsFrom(session_)));
         }
     }
 }

@@ -32,7 +32,7 @@ std::vector<std::string> Reload::notes() const {
 void Stage::reloadLevel() {
     constexpr double kEvery = 0.5; // s
     std::shared_ptr<const Level>& known = def_.levels[def_.firstLevel];
-    const bool own = session_.kind() == Session::Kind::Own && endless_.number == 0 &&
+    const bool own = session_.kind() == Session::Kind::Own && played_.endless.number == 0 &&
                      game().level().name == known->name;
     const bool over = game().result() != Result::Playing;
     const bool playing = screen_ == Screen::Playing;

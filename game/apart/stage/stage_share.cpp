@@ -17,11 +17,11 @@ bool Stage::takeShare(const Signals& signals) {
         over_.notes = {def_.film(*over_.rerun)};
         return true;
     }
-    const ReplayRun run = endless_.with(session_.record());
+    const ReplayRun run = played_.endless.with(session_.record());
     if (!def_.copy || run.empty() || !pressed("C")) {
         return false;
     }
-    DailyResult daily{endless_.day, endless_.score + game().score(), run.size()};
+    DailyResult daily{played_.endless.day, played_.endless.score + game().score(), run.size()};
     for (const Replay& replay : run) {
         daily.ticks += replay.end;
     }

@@ -62,13 +62,13 @@ TitleOffer offerOf(const StageDef& def, std::size_t level) {
 
 void Stage::toTitle() {
     screen_ = Screen::Title;
-    level_ = map_.nextLevel(records_);
-    demo(level_);
+    played_.level = map_.nextLevel(records_);
+    demo(played_.level);
     if (def_.endless) {
-        records_.checkFirst(profile().mode, dailyKey(offerOf(def_, level_).today));
+        records_.checkFirst(profile().mode, dailyKey(offerOf(def_, played_.level).today));
         records_.checkFirst(profile().mode, kEndlessKey);
     }
-    open(Screen::Title, titleMenu(offerOf(def_, level_), records_));
+    open(Screen::Title, titleMenu(offerOf(def_, played_.level), records_));
 }
 
 /// `duel`: the chosen level is played by two players.
@@ -76,15 +76,15 @@ void Stage::toLevels(bool duel) {
     screen_ = Screen::Levels;
     map_.setDuel(duel);
     map_.update(records_);
-    map_.choose(level_);
-    demo(level_);
+    map_.choose(played_.level);
+    demo(played_.level);
     checkScores(records_, def_.levels, map_.chosen());
 }
 
 void Stage::toOptions(int page) {
-    options_.screen = screen_ == Screen::Options ? options_.screen : screen_;
-    options_.page = page % static_cast<int>(kDialPages.size());
-    open(Screen::Options, optionsMenu(settings(), options_.page));
+    pages_.behind = screen_ == Screen::Options ? pages_.behind : screen_;
+    pages_.dials = page % static_cast<int>(kDialPages.size());
+    open(Screen::Options, optionsMenu(settings(), pages_.dials));
 }
 
 void Stage::take(const Signals& signals, Speaker& speaker) {
@@ -150,7 +150,7 @@ void Stage::takeOne(const Signals& signals, Speaker& speaker) {
 
 void Stage::takeKeys(const Signals& signals, Speaker& speaker) {
     const Bindings before = profile().bindings;
-    const bool left = keys_.take(signals, records_.profile().bindings);
+    const bool left = pages_.keys.take(signals, records_.profile().bindings);
     if (left || profile().bindings != before) {
         chirp(speaker, profile().audible().sound, true);
     }
@@ -191,9 +191,9 @@ bool Stage::takeShortcut(Command command) {
         back();
         return true;
     }
-    if (help_ && screen_ == Screen::Help &&
+    if (pages_.help && screen_ == Screen::Help &&
         (command == Command::Left || command == Command::Right)) {
-        help_->turn();
+        pages_.help->turn();
         return true;
     }
     if (command == Command::Pause && paused) {
@@ -216,7 +216,7 @@ bool Stage::takeShortcut(Command command) {
 /// True if no points are lost by it, or if it was asked for twice.
 bool Stage::mayEnd(Ending ending) {
     const bool own = session_.kind() == Session::Kind::Own || session_.isWhatIf();
-    const bool points = game().score() > 0 || endless_.score > 0;
+    const bool points = game().score() > 0 || played_.endless.score > 0;
     const bool loses = own && points && game().result() == Result::Playing;
     return !loses || confirm_.ask(ending, seconds_);
 }
@@ -243,14 +243,14 @@ void Stage::back() {
     case Screen::Help: {
         const Action left = screen_ == Screen::Options ? Action::Options : Action::Help;
         records_.save();
-        help_.reset();
-        if (options_.screen == Screen::Title) {
+        pages_.help.reset();
+        if (pages_.behind == Screen::Title) {
             toTitle();
-        } else if (options_.screen == Screen::Duel) {
+        } else if (pages_.behind == Screen::Duel) {
             screen_ = Screen::Duel;
             return;
         } else {
-            open(Screen::Paused, pauseMenu(replays_.leadsFrom(session_)));
+            open(Screen::Paused, pauseMenu(watched_.list.leadsFrom(session_)));
         }
         return menu_.choose(left);
     }
@@ -260,8 +260,8 @@ void Stage::back() {
         toTitle();
         return menu_.choose(Action::Records);
     default:
-        return screen_ == Screen::Over && replays_.leadsFrom(session_) ? act({Action::Replays})
-                                                                       : toTitle();
+        return screen_ == Screen::Over && watched_.list.leadsFrom(session_) ? act({Action::Replays})
+                                                                            : toTitle();
     }
 }
 
@@ -271,8 +271,8 @@ void Stage::takeMenu(const Signals& signals, Speaker& speaker) {
             return;
         }
     }
-    if (signals.clicked && help_ && screen_ == Screen::Help) {
-        return help_->turn();
+    if (signals.clicked && pages_.help && screen_ == Screen::Help) {
+        return pages_.help->turn();
     }
     const std::size_t before = menu_.chosen();
     const std::optional<MenuOutcome> outcome = menu_.take(signals);
@@ -295,7 +295,7 @@ void Stage::act(const MenuOutcome& outcome) {
     };
     switch (outcome.action) {
     case Action::Play:
-        return begin(level_, true);
+        return begin(played_.level, true);
     case Action::Levels:
         return mayEnd(Ending::Levels) ? toLevels() : void();
     case Action::Duel:
@@ -303,7 +303,7 @@ void Stage::act(const MenuOutcome& outcome) {
     case Action::Endless:
         return beginRun(0);
     case Action::Daily:
-        return beginRun(offerOf(def_, level_).today);
+        return beginRun(offerOf(def_, played_.level).today);
     case Action::Records:
         return open(Screen::Records, recordsMenu(def_.replays != nullptr));
     case Action::Replays:
@@ -311,37 +311,37 @@ void Stage::act(const MenuOutcome& outcome) {
             return;
         }
         if (!session_.isDemo()) {
-            level_ = map_.nextLevel(records_);
-            demo(level_);
+            played_.level = map_.nextLevel(records_);
+            demo(played_.level);
         }
-        replays_.entries = withScores(def_.replays(), profile());
-        open(Screen::Replays, replaysMenu(replays_.entries));
-        return menu_.chooseAt(replays_.shown.value_or(0));
+        watched_.list.entries = withScores(def_.replays(), profile());
+        open(Screen::Replays, replaysMenu(watched_.list.entries));
+        return menu_.chooseAt(watched_.list.shown.value_or(0));
     case Action::Replay: {
-        std::variant<Show, std::string> read = replays_.entries[outcome.dial].load();
+        std::variant<Show, std::string> read = watched_.list.entries[outcome.dial].load();
         if (auto* show = std::get_if<Show>(&read)) {
             def_.show = std::move(*show);
-            replays_.shown = outcome.dial;
-            theatre_.begin(*def_.show);
+            watched_.list.shown = outcome.dial;
+            watched_.theatre.begin(*def_.show);
             return enterShow();
         }
         records_.note(std::get<std::string>(read));
         return toTitle();
     }
     case Action::Help:
-        options_.screen = screen_;
-        help_.emplace(profile().audible());
+        pages_.behind = screen_;
+        pages_.help.emplace(profile().audible());
         return open(Screen::Help, helpMenu());
     case Action::Mode:
         records_.profile().mode = apart::next(profile().mode);
-        level_ = map_.nextLevel(records_);
-        records_.checkFirst(profile().mode, dailyKey(offerOf(def_, level_).today));
+        played_.level = map_.nextLevel(records_);
+        records_.checkFirst(profile().mode, dailyKey(offerOf(def_, played_.level).today));
         records_.checkFirst(profile().mode, kEndlessKey);
-        return refreshTitle(menu_, offerOf(def_, level_), records_);
+        return refreshTitle(menu_, offerOf(def_, played_.level), records_);
     case Action::Options:
         return toOptions();
     case Action::Keys:
-        keys_ = {};
+        pages_.keys = {};
         return open(Screen::Keys, {});
     case Action::Quit:
     case Action::Back:
@@ -354,7 +354,7 @@ void Stage::act(const MenuOutcome& outcome) {
     case Action::ToTitle:
         return mayEnd(Ending::Title) ? toTitle() : void();
     case Action::Page:
-        toOptions(options_.page + 1);
+        toOptions(pages_.dials + 1);
         return menu_.choose(Action::Page);
     case Action::Reset:
         if (settings() == Settings{} || confirm_.ask(Ending::Settings, seconds_)) {
