@@ -713,7 +713,7 @@ typedef struct kodo_JointEnds {
     uint64_t userData;     // for the user
 } kodo_JointEnds;
 
-/// With a spring, or with limits beyond -3 to 3 rad, the joint counts its turns.
+/// With a spring, a ratchet, or limits beyond -3 to 3 rad, the joint counts its turns.
 typedef struct kodo_RevoluteJoint {
     kodo_JointEnds ends;
     kodo_Real reference; // rad; relative angle of b that counts as 0
@@ -724,7 +724,7 @@ typedef struct kodo_RevoluteJoint {
     kodo_Real target;      // rad, rest angle of the spring
     kodo_Real hertz;       // stiffness, as frequency about the anchor; 0: no spring
     kodo_Real damping;     // damping ratio; 1 is critical
-    kodo_Real ratchet;     // rad between teeth, with limits: the lower one follows; 0: none
+    kodo_Real ratchet;     // rad between teeth: the lower limit follows; < 0: the upper; 0: none
 } kodo_RevoluteJoint;
 
 typedef struct kodo_FixedJoint {

@@ -118,7 +118,8 @@ private:
         const kodo::Flags wanted = body.def.required;
         const kodo::Flags match = body.def.flags & kodo::kMatchModes;
         lacks((wanted & kodo::kDefaultCategory) != 0, body.line, "the default category");
-        lacks((own | wanted) > kMostCategory, body.line, "a category above 15");
+        lacks((own | (wanted & kodo::kUserFlags)) > kMostCategory, body.line,
+              "a category above 15");
         lacks(match != 0 && match != kodo::kMatchAny, body.line, "collides other than any");
         made.category = static_cast<std::uint16_t>(own);
         made.mask = static_cast<std::uint16_t>(wanted);

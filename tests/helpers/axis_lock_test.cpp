@@ -59,6 +59,15 @@ TEST(AxisLock, ACrateThatMayOnlySinkStaysInItsColumn) {
     }
 }
 
+TEST(AxisLock, HoldsALargeBodyFarFromItsFrame) {
+    World world({.lengthUnit = 1000});
+    const BodyId disc = world.add({.shape = Circle{500, {Real(2e5), 0}}, .velocity = {50, 50}});
+    lockAxis(world, disc, {1, 0});
+    support::run(world, 60);
+    EXPECT_NEAR(world[disc].center().x, 2e5, 1);
+    EXPECT_NEAR(world[disc].center().y, 50, 1);
+}
+
 // The rotation stays free, about the centre of mass: a bar that is off its frame's origin.
 TEST(AxisLock, LeavesTheRotationFree) {
     World world;
@@ -93,6 +102,8 @@ TEST(AxisLock, RefusesBadAxesAndBodies) {
     EXPECT_THROW(lockAxis(world, ball, {2, 0}), BadDefinition);
     EXPECT_THROW(lockAxis(world, ball, {}), BadDefinition);
     EXPECT_EQ(world.bodies().size(), 1u);
+    world[ball].setType(BodyType::Kinematic);
+    EXPECT_THROW(lockAxis(world, ball, {1, 0}), BadDefinition);
     world.remove(ball);
     EXPECT_THROW(lockAxis(world, ball, {1, 0}), BadBodyId);
     EXPECT_TRUE(world.bodies().empty());

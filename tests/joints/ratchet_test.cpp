@@ -117,6 +117,7 @@ TEST(Ratchet, NeedsARange) {
     ASSERT_TRUE(problem);
     EXPECT_EQ(problem->field, "ratchet");
     EXPECT_TRUE(check(RevoluteJoint{.ends = ends, .limits = Range{0, 1}, .ratchet = Real(2e4)}));
+    EXPECT_TRUE(check(RevoluteJoint{.ends = ends, .limits = Range{0, 1}, .ratchet = Real(1e-7)}));
     EXPECT_FALSE(check(RevoluteJoint{.ends = ends, .limits = Range{0, 1}, .ratchet = -1}));
 }
 

@@ -114,5 +114,25 @@ TEST(ExplodingIsland, ChangesNoOtherIslandOnTheSameGround) {
     EXPECT_GT(exploded, worlds) << "too few worlds explode";
 }
 
+// A rod on a line becomes immovable when it is frozen: two lines, and neither is the ground of the
+// other.
+TEST(ExplodingIsland, ARodThatIsFrozenOnALineLeavesIt) {
+    for (const double rate : {30.0, 60.0, 240.0}) {
+        World world;
+        const Real dt = static_cast<Real>(1 / rate);
+        world.add({.shape = Segment{{-2, 0}, {2, 0}}, .type = BodyType::Static});
+        const BodyId rod = world.add({.shape = Segment{{-1, 0}, {1, 0}},
+                                      .position = {0, Real(0.012)},
+                                      .flags = kNeverSleep});
+        world.step(dt);
+        world.step(dt);
+        world[rod].applyForce({0, std::numeric_limits<Real>::max() / 16});
+        world.step(dt);
+        ASSERT_EQ(world.frozenBodies().size(), 1u) << rate;
+        EXPECT_EQ(world.frozenBodies()[0], rod) << rate;
+        world.step(dt);
+    }
+}
+
 } // namespace
 } // namespace kodo

@@ -75,11 +75,12 @@ TEST(Sentences, OfABody) {
         add("angularVelocity: must be from -1e+07 to 1e+07 rad/s, but is 2e+07",
             {.angularVelocity = Real(2e7)}),
         add("flags: must not have bit 31, which is reserved", {.flags = 1u << 31}),
-        add("flags: must not have bits 25 and 26, which are reserved: the type",
+        add("flags: must not have bits 25 and 26: kNoSensors is of queries and",
             {.flags = 1u << 25}),
         add("required: must have a category with kMatchAny or kMatchAll, but is 0",
             {.flags = kMatchAny}),
-        add("required: has no effect without a match mode: add kMatchAny, kMatchAll or kMatchEqual "
+        add("required: has no effect without a match mode: add kMatchNone, kMatchAny, kMatchAll or "
+            "kMatchEqual "
             "to flags",
             {.required = 1}),
         add("velocity: must be zero for a static body: make it Kinematic",
@@ -328,7 +329,8 @@ TEST(Sentences, OfAFilter) {
     const std::pair<CollisionFilter, const char*> refused[] = {
         {two, "which.flags: must have one of kMatchNone, kMatchAny, kMatchAll and "
               "kMatchEqual at most"},
-        {none, "which.required: has no effect without a match mode: add kMatchAny, kMatchAll or "
+        {none, "which.required: has no effect without a match mode: add kMatchNone, kMatchAny, "
+               "kMatchAll or "
                "kMatchEqual to which.flags"},
         {sensor, "which.flags: must have a match mode alone: a filter does not compare locks"},
         {{2, 0},

@@ -107,7 +107,8 @@ std::optional<Flags> Table::categories(const std::string& key) {
         all |= good ? kodo::category(static_cast<unsigned>(number->get())) : 0;
     }
     if (!good) {
-        fail(key, "must be a list of whole numbers from 0 to 47, as [0, 3]");
+        const char* const more = key == "with" ? ", and \"default\" for bodies without one" : "";
+        fail(key, std::string("must be a list of whole numbers from 0 to 47, as [0, 3]") + more);
     }
     return all;
 }

@@ -162,7 +162,12 @@ std::string notHeld(const kodo::World& world) {
         asleep = asleep || world[id].isAsleep();
         marked = marked || world[id].userData() != 0;
     }
+    bool turned = false;
+    for (const kodo::JointId id : world.joints()) {
+        turned = turned || std::abs(world.jointState(id).angle) > Real(3.15);
+    }
     add(own, "force fields of your own");
+    add(turned, "turns of joints: an angle starts again between -pi and pi");
     add(asleep, "sleep: all bodies wake");
     add(marked, "user data");
     add(world.region().has_value(), "the region");

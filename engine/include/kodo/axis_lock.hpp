@@ -12,8 +12,11 @@ inline namespace KODO_PRECISION {
 /// body as if it were free; the groove then takes the part along the axis.
 ///
 /// Adds the static body that has the groove, a point that nothing meets, and returns its id.
-/// Removing that body unlocks. Its only joint tells the load. Throws BadDefinition for an axis that
-/// is not a unit vector, and BadBodyId for an unknown body; nothing has changed then.
+/// Removing that body unlocks; remove it with the locked one too. Its only joint tells the load.
+/// Lock again after setPosition(), and after weld() or setPart() has moved the centre. Throws
+/// BadDefinition for an axis that is not a unit vector and for a body that is not dynamic, and
+/// BadBodyId for an unknown one, BadDefinition for a centre beyond kMaxCoordinate too; nothing has
+/// changed then.
 KODO_API BodyId lockAxis(World& world, BodyId body, Vec2 axis);
 
 } // namespace KODO_PRECISION

@@ -60,8 +60,9 @@ struct RevoluteJoint {
     Real target = 0;               // rad, within 1e4; rest angle of the spring
     Real hertz = 0;                // 0 to 1e4; stiffness, as frequency about the anchor; 0: none
     Real damping = 0;              // 0 to 1e4; damping ratio of the spring; 1 is critical
-    /// rad, within 1e4: distance of teeth, which lie at its multiples. After each step the lower
-    /// limit follows the angle up to the last tooth. < 0: the upper one follows it down. 0: none.
+    /// rad, size 1e-6 to 1e4: distance of teeth, which lie at its multiples; needs limits. After
+    /// each step the lower one follows the angle up to the last tooth. < 0: the upper one, down. 0:
+    /// none.
     Real ratchet = 0;
 };
 

@@ -37,7 +37,7 @@ class RevoluteJoint(_Ends):
     target: float = 0.0  #: rad, rest angle of the spring
     hertz: float = 0.0  #: stiffness, as frequency about the anchor; 0: no spring
     damping: float = 0.0  #: damping ratio; 1 is critical
-    ratchet: float = 0.0  #: rad between teeth, with limits: the lower one follows; 0: none
+    ratchet: float = 0.0  #: rad between teeth: the lower limit follows; < 0: the upper; 0: none
 
 
 @dataclasses.dataclass

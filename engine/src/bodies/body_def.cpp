@@ -39,8 +39,8 @@ std::optional<Problem> checkMatch(const char* field, const CollisionFilter& filt
                               "body would collide with nothing, as kDisabled says"};
     }
     if (filter.required != 0 && (filter.flags & kMatchModes) == 0) {
-        return Problem{field, "has no effect without a match mode: add kMatchAny, kMatchAll or "
-                              "kMatchEqual to flags"};
+        return Problem{field, "has no effect without a match mode: add kMatchNone, kMatchAny, "
+                              "kMatchAll or kMatchEqual to flags"};
     }
     return std::nullopt;
 }
@@ -100,10 +100,9 @@ std::optional<Problem> check(const MotionRules& rules) {
 
 std::optional<Problem> checkFlags(const char* field, Flags value) {
     if ((value & kTypeBits) != 0) {
-        return Problem{field,
-                       "must not have bits 25 and 26, which are reserved: the type of a "
-                       "body is BodyDef::type, or set by setType(); kDefaultCategory goes into "
-                       "`required`"};
+        return Problem{field, "must not have bits 25 and 26: kNoSensors is of queries and "
+                              "kDefaultCategory of `required`. The type of a body is "
+                              "BodyDef::type, or set by setType()"};
     }
     if (const Flags unknown = value & ~kKnownFlags; unknown != 0) {
         std::string bits;
@@ -148,8 +147,8 @@ std::optional<Problem> checkFilter(CollisionFilter which) {
         return problem;
     }
     if (which.required != 0 && (which.flags & kMatchModes) == 0) {
-        return Problem{"which.required", "has no effect without a match mode: add kMatchAny, "
-                                         "kMatchAll or kMatchEqual to which.flags"};
+        return Problem{"which.required", "has no effect without a match mode: add kMatchNone, "
+                                         "kMatchAny, kMatchAll or kMatchEqual to which.flags"};
     }
     if ((which.flags & kUserFlags) != 0) {
         return Problem{"which.flags", "must have a match mode alone: put the categories to find "

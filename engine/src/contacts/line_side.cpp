@@ -133,7 +133,11 @@ bool LineSides::takeSide(const Spread& step, std::uint32_t slot) {
     const auto& [bodies, store, margin] = step;
     const std::span<Contact> contacts = store.contacts();
     Contact& contact = contacts[slot];
-    const JointedLine line = *jointedLineOf(bodies, contact.key);
+    const std::optional<JointedLine> found = jointedLineOf(bodies, contact.key);
+    if (!found) { // its other body was frozen in this step: no line is on the ground beside it
+        return false;
+    }
+    const JointedLine& line = *found;
     const bool known = isKnown(bodies, contact);
     Real side = 0; // a sum does not depend on the order of the contacts
     store.lists().forEach(line.otherBody, [&](std::uint32_t other) {

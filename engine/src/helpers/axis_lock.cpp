@@ -6,12 +6,16 @@ inline namespace KODO_PRECISION {
 
 BodyId lockAxis(World& world, BodyId body, Vec2 axis) {
     const BodyView held = world[body];
-    constexpr BodyId kLater{.index = ~std::uint32_t{0}, .generation = 1}; // so that check() passes
-    WheelJoint groove{.ends = {.a = kLater, .b = body, .anchorB = held.toLocal(held.center())},
-                      .axis = perp(axis)};
-    if (const auto problem = check(groove)) {
+    if (held.type() != BodyType::Dynamic) {
+        throw BadDefinition({"body", "must be dynamic: nothing pushes another one off its way"});
+    }
+    // A later index passes check(), which asks for two bodies.
+    const JointEnds ends{.a = {~std::uint32_t{0}, 1}, .b = body, .anchorB = held.localCenter()};
+    WheelJoint groove{.ends = ends, .axis = axis};
+    if (const auto problem = check(groove, world.tolerances().unit())) {
         throw BadDefinition(*problem);
     }
+    groove.axis = perp(axis);
     groove.ends.a = world.add({.shape = Point{},
                                .position = held.center(),
                                .type = BodyType::Static,

@@ -86,9 +86,9 @@ std::optional<Problem> checkLinearMotor(const Joint& joint, Real unit) {
 }
 
 std::optional<Problem> checkKind(const RevoluteJoint& joint, Real) {
-    if (joint.ratchet != 0 && !joint.limits) {
-        return Problem{"ratchet", "needs limits, one of which follows the angle: give the range "
-                                  "of the wheel"};
+    if (joint.ratchet != 0 && (!joint.limits || std::abs(joint.ratchet) < Real(1e-6))) {
+        return Problem{"ratchet", "needs limits, one of which follows the angle, and teeth of at "
+                                  "least 1e-6 rad"};
     }
     return firstOf({checkReference(joint.reference), checkRotaryMotor(joint), checkSpring(joint),
                     checkRange("target", joint.target, -kAngle, kAngle, "rad"),
