@@ -58,6 +58,10 @@ stuff = "brick"
 [legend.s]
 stuff = "steel"
 hold = "moving"
+[[way]]
+name = "off the wall"
+strikes = "g"
+bank = true
 [[ledge]]
 x = 3000
 y = 5000
@@ -156,7 +160,9 @@ TEST(LevelWriter, KnowsEveryMember) {
     const Level level;
     [[maybe_unused]] const auto& [name, title, idea, theme, place, ballSpeed, lives, ball, paddle,
                                   wind, bossDrift, bossSpeed, kinds, cells, freeBlocks, links,
-                                  obstructions, wells, waters, keep, keepName] = level;
+                                  obstructions, wells, waters, keep, keepName, ways] = level;
+    const WayDef wayDef;
+    [[maybe_unused]] const auto& [way, strikes, bank] = wayDef;
     const BlockKind blockKind;
     [[maybe_unused]] const auto& [letter, stuff, power, pattern, strength, support, arm, core] =
         blockKind;

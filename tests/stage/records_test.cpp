@@ -218,6 +218,20 @@ TEST(Honours, ALevelWithABlockToKeepOffersIt) {
     EXPECT_TRUE(statistics.bestOf(game).kept);
 }
 
+TEST(Honours, ALevelWithWaysOffersThemAndTheProfileAddsThemUp) {
+    Level level = *glassLevel("One block", {7});
+    level.ways = {{"by bank", "", true}, {"head on", "g", false}};
+    EXPECT_EQ(honourNames(level, nullptr).back(), "head on");
+    EXPECT_EQ(honourNames(level, nullptr).size(), 5u);
+    Profile profile;
+    Best best;
+    best.ways = 1;
+    profile.enter(Mode::Standard, "x", best);
+    best.ways = 2;
+    profile.enter(Mode::Standard, "x", best);
+    EXPECT_EQ(profile.bestOf(Mode::Standard, "x").ways, 3u);
+}
+
 TEST(Results, OneOfAThingIsSingular) {
     EXPECT_EQ(countText(0, "point"), "0 points");
     EXPECT_EQ(countText(1, "point"), "1 point");

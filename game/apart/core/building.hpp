@@ -5,6 +5,8 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -95,6 +97,17 @@ struct LinkDef {
 
     friend bool operator==(const LinkDef&, const LinkDef&) = default;
 };
+
+/// A way to bring a building down, an honour: what the ball did before the largest fall.
+struct WayDef {
+    std::string name;    // shown to the player
+    std::string strikes; // letters of blocks, one of which it had struck last; empty: any block
+    // Whether it had touched a wall or an obstruction before its first block; nullopt: either.
+    std::optional<bool> bank{};
+
+    friend bool operator==(const WayDef&, const WayDef&) = default;
+};
+inline constexpr std::size_t kMostWays = 3; // of a level
 
 /// The joint between two bodies that are at their places at the start of the level.
 kodo::JointDef jointOf(const LinkDef& link, kodo::BodyView a, kodo::BodyView b);

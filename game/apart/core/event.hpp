@@ -21,6 +21,7 @@ struct Struck {
     kodo::BodyId other;
     Role what = Role::Wall;
     Stuff stuff = Stuff::Steel; // of a block or shard
+    char letter = 0;            // BlockKind::letter of a block
     kodo::Vec2 point;
     kodo::Vec2 normal; // unit, towards the ball
     kodo::Real impulse = 0;

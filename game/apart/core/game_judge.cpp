@@ -135,10 +135,12 @@ void judgeBall(GameState& game, const CollisionRecord& hit, BodyId ball) {
     if (what == Role::Paddle) {
         game.counts.hit(game.tick);
     }
+    const Block* block = game.findBlock(other, partOf(hit, other));
     game.events.emplace_back(Struck{.ball = ball,
                                     .other = other,
                                     .what = what,
                                     .stuff = game.stuffOf(other, partOf(hit, other)),
+                                    .letter = block != nullptr ? block->kind.letter : char{0},
                                     .point = hit.point,
                                     .normal = normalTowards(hit, ball),
                                     .impulse = hit.maxPointImpulse()});

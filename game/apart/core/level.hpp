@@ -232,6 +232,7 @@ struct Level {
     std::vector<WaterDef> waters;
     std::int32_t keep = -1; // index into freeBlocks, for an honour: it stands at the end; -1: none
     std::string keepName;
+    std::vector<WayDef> ways; // honours; at most kMostWays, the elegant one first
 
     friend bool operator==(const Level&, const Level&) = default;
 };
@@ -241,7 +242,7 @@ bool hasGround(const Level& level);
 /// True if at least half of the blocks that break stand.
 bool isBuilding(const Level& level);
 
-/// Hash of all that affects play; leaves out name, title, idea, theme, place and turf.
+/// Hash of all that affects play; leaves out name, title, idea, theme, place, ways and turf.
 std::uint64_t digestOf(const Level& level);
 
 } // namespace apart

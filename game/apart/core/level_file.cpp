@@ -38,7 +38,7 @@ public:
     Read<Level> read(const toml::table& root) {
         keys_.onlyKeys(root, {"format", "place",  "title", "idea",  "theme", "ball-speed", "lives",
                               "ball",   "paddle", "wind",  "boss",  "grid",  "legend",     "ground",
-                              "well",   "water",  "ledge", "block", "joint", "keep"},
+                              "well",   "water",  "ledge", "block", "joint", "keep",       "way"},
                        "");
         if (keys_.number(root, "format", {1, 1, std::nullopt}) == 1) {
             level_.place = keys_.number(root, "place", {1, 9999, 9999});
@@ -57,6 +57,7 @@ public:
             forTables(root, "ground", kMostObstructions, [&](const auto& t) { readGround(t); });
             forTables(root, "well", kMostWells, [&](const auto& t) { readWell(t); });
             forTables(root, "water", kMostWaters, [&](const auto& t) { readWater(t); });
+            forTables(root, "way", kMostWays, [&](const auto& t) { readWay(t); });
         }
         const std::optional<FileProblem> problem = keys_.problem();
         return problem ? Read<Level>(*problem) : Read<Level>(level_);
@@ -321,6 +322,29 @@ private:
         level_.wells.push_back({keys_.number(table, "x", {-kEdge, kEdge, std::nullopt}),
                                 keys_.number(table, "y", {0, kTop, std::nullopt}),
                                 keys_.number(table, "strength", {-500000, 500000, std::nullopt})});
+    }
+
+    void readWay(const toml::table& table) {
+        keys_.onlyKeys(table, {"name", "strikes", "bank"}, "way.");
+        WayDef way;
+        way.name = keys_.text(table, "name");
+        way.strikes = table.contains("strikes") ? keys_.text(table, "strikes") : "";
+        if (table.contains("bank")) {
+            way.bank = keys_.flag(table, "bank");
+        }
+        const bool known = std::all_of(way.strikes.begin(), way.strikes.end(), [&](char letter) {
+            return legend_.isUnread({&letter, 1}) ||
+                   std::any_of(level_.kinds.begin(), level_.kinds.end(),
+                               [&](const BlockKind& kind) { return kind.letter == letter; });
+        });
+        if (!known) {
+            keys_.fail(TomlKeys::lineOf(*table.get("strikes")),
+                       "way.strikes must be letters of blocks in the legend");
+        }
+        if (!table.contains("strikes") && !table.contains("bank")) {
+            keys_.fail(TomlKeys::lineOf(table), "a way needs strikes or bank");
+        }
+        level_.ways.push_back(way);
     }
 
     void readWater(const toml::table& table) {

@@ -28,6 +28,12 @@ namespace apart {
 ///   keep = "bell"           # an honour: this block, by its name, stands or hangs when the level
 ///   is
 ///                           # won; of steel, standing or moving; none unless given
+///   [[way]]                 # an honour: how the largest fall of a won game began; the elegant
+///                           # one first, at most 3
+///   name = "by the keystone"
+///   strikes = "kg"          # the ball had struck a block of one of these letters last
+///   bank = true             # it had touched a wall or an obstruction before its first block;
+///                           # false: it had not. Either, unless given
 ///   boss = { drift = 3000, speed = 2000 } # 1/1000 m to each side and 1/1000 m/s; it does not
 ///                                         # move unless given
 ///   grid = '''

@@ -6,6 +6,7 @@
 #include <apart/core/player.hpp>
 #include <apart/core/standing_trial.hpp>
 #include <apart/core/tuning.hpp>
+#include <apart/core/way_watch.hpp>
 #include <kodo/query.hpp>
 
 #include <algorithm>
@@ -239,6 +240,7 @@ BotRun runBot(const Level& level, std::uint32_t seed, std::uint32_t mostTicks, B
     Game game(level, seed);
     Player player(kind);
     GameObserver observer;
+    WayWatch way;
     BotRun run{.seed = seed};
     GapMeter events;
     GapMeter clears;
@@ -249,6 +251,7 @@ BotRun runBot(const Level& level, std::uint32_t seed, std::uint32_t mostTicks, B
         const std::int32_t largest = game.collapse().largest;
         game.tick(player.next(game));
         observer.observe(game);
+        way.update(game);
         const bool over = game.result() != Result::Playing;
         events.tick(isEventful(game) || over);
         clears.tick(game.blocksLeft() < left || over);
@@ -269,6 +272,7 @@ BotRun runBot(const Level& level, std::uint32_t seed, std::uint32_t mostTicks, B
     run.ticks = game.ticks();
     run.result = game.result();
     run.score = game.score();
+    run.ways = run.result == Result::Won ? way.ways(level) : 0;
     run.paddleHits = game.counts().hits;
     run.largestFall = game.collapse().largest;
     run.livesLost = level.lives - game.lives();

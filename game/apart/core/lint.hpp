@@ -36,6 +36,7 @@ struct BotRun {
     std::uint32_t firstHit = 0;        // ticks from the first serve to the first hit of a block
     std::uint32_t faults = 0;          // halts, escapes, bent paths
     std::size_t mostBodies = 0;
+    std::uint32_t ways = 0; // bits, see WayWatch::ways(); 0 if it is not won
     double cleared = 0;     // 0..1, share of the blocks that broke or fell
     std::uint64_t work = 0; // bodies and contacts visited, summed over all ticks
 };

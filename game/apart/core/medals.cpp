@@ -4,6 +4,7 @@
 #include <apart/core/medals.hpp>
 #include <apart/core/toml_keys.hpp>
 #include <apart/core/tuning.hpp>
+#include <apart/core/way_watch.hpp>
 
 #include <toml++/toml.h>
 
@@ -75,6 +76,9 @@ MedalGames playForMedals(const Level& level, std::uint32_t seeds, std::uint32_t 
             games.falls.push_back(run.largestFall);
             if (run.result == Result::Won) {
                 games.hits.push_back(run.paddleHits);
+                for (std::size_t way = 0; way < kMostWays; ++way) {
+                    games.ways[way] += isWayIn(run.ways, way) ? 1 : 0;
+                }
             }
         }
         return games;

@@ -48,6 +48,7 @@ struct PlayedGames {
     std::vector<std::int32_t> scores{};
     std::vector<std::int32_t> hits{}; // of the paddle, of won games
     std::vector<std::int32_t> falls{};
+    std::array<std::int32_t, kMostWays> ways{}; // won games by way
 };
 
 /// What the marks of a level are measured on.

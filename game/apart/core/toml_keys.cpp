@@ -242,4 +242,23 @@ std::optional<std::size_t> TomlKeys::choice(const toml::table& table, const std:
     return std::nullopt;
 }
 
+std::string basicString(std::string_view text) {
+    constexpr std::string_view kHex = "0123456789ABCDEF";
+    std::string result = "\"";
+    for (const char letter : text) {
+        const auto code = static_cast<unsigned char>(letter);
+        if (letter == '"' || letter == '\\') {
+            result += '\\';
+        }
+        if (code < 0x20 || code == 0x7f) {
+            result += "\\u00";
+            result += kHex[code / 16];
+            result += kHex[code % 16];
+        } else {
+            result += letter;
+        }
+    }
+    return result + '"';
+}
+
 } // namespace apart

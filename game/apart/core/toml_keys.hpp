@@ -21,6 +21,9 @@ namespace apart {
 /// before, and the parser recurs for each.
 Read<toml::table> parseToml(std::string_view text, const std::string& file);
 
+/// A basic string of TOML, in quotes.
+std::string basicString(std::string_view text);
+
 /// Reads keys of TOML tables and keeps all faults with their lines.
 class TomlKeys {
 public:

@@ -54,6 +54,18 @@ void printBot(const PlayedGames& games, const MedalMarks& marks) {
                counts[0]);
 }
 
+/// In how many won games each way was seen, by planner, good and lazy bot.
+void printWays(const MedalGames& games, const Level& level) {
+    for (std::size_t way = 0; way < level.ways.size(); ++way) {
+        fmt::print("#   {:<24} {} of {} games of the planner, {} of {} of the good bot, {} of {} "
+                   "of the lazy one\n",
+                   level.ways[way].name, games.planner.ways[way], games.planner.hits.size(),
+                   games.good.ways[way], games.good.hits.size(), games.lazy.ways[way],
+                   games.lazy.hits.size());
+    }
+    std::fflush(stdout);
+}
+
 void printBotRow(const MedalGames& games, const MedalMarks& marks) {
     fmt::print("# {:<18}", marks.level);
     for (const PlayedGames* played : {&games.planner, &games.good, &games.lazy, &games.absent}) {
@@ -82,6 +94,7 @@ int runMedals(const MedalsCommand& command) {
         marks.push_back(marksOf(level, games));
         progress.clear();
         printBotRow(games, marks.back());
+        printWays(games, level);
     }
     progress.clear();
     if (command.file.empty()) {

@@ -230,6 +230,7 @@ HudLook hudLookOf(const Stage& stage) {
                          replay ? stage.watched_.theatre.show().day : run.day);
     look.scoreBefore = run.number > 0 ? run.score : 0;
     look.best = stage.records_.provedScore(stage.game().mode(), run.keyOf(stage.game()));
+    look.ways = session.statistics().way.ways(stage.game().level());
     look.keys = stage.profile().bindings;
     look.muted = stage.profile().audible().sound == 0;
     if (session.isShow()) {

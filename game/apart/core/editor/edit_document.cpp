@@ -68,7 +68,7 @@ Level newLevel(const std::string& name) {
     level.name = name;
     level.title = name;
     level.idea = "A level of my own.";
-    level = withLedge(std::move(level), {0, Real(6)}, 8000);
+    level = withLedge(std::move(level), {0, kodo::Real(6)}, 8000);
     return withBlock(std::move(level), standingKind(Stuff::Brick),
                      {.x = 0, .y = 6600, .width = 1600, .height = 800});
 }

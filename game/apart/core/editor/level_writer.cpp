@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/editor/level_writer.hpp>
+#include <apart/core/toml_keys.hpp>
 #include <apart/core/tuning.hpp>
 
 #include <algorithm>
@@ -11,26 +12,6 @@ namespace {
 template <typename T, std::size_t kCount>
 std::string nameIn(const std::array<std::string_view, kCount>& names, T value) {
     return std::string(names[static_cast<std::size_t>(value)]);
-}
-
-/// A basic string of TOML.
-std::string basicString(std::string_view text) {
-    constexpr std::string_view kHex = "0123456789ABCDEF";
-    std::string result = "\"";
-    for (const char letter : text) {
-        const auto code = static_cast<unsigned char>(letter);
-        if (letter == '"' || letter == '\\') {
-            result += '\\';
-        }
-        if (code < 0x20 || code == 0x7f) {
-            result += "\\u00";
-            result += kHex[code / 16];
-            result += kHex[code % 16];
-        } else {
-            result += letter;
-        }
-    }
-    return result + '"';
 }
 
 class LevelWriter {
@@ -61,6 +42,16 @@ public:
         for (const ObstructionDef& def : level_.obstructions) {
             if (def.kind == ObstructionKind::Ground) {
                 writeGround(def);
+            }
+        }
+        for (const WayDef& way : level_.ways) {
+            table("way");
+            line("name", basicString(way.name));
+            if (!way.strikes.empty()) {
+                line("strikes", basicString(way.strikes));
+            }
+            if (way.bank) {
+                line("bank", *way.bank ? "true" : "false");
             }
         }
         for (const WellDef& well : level_.wells) {

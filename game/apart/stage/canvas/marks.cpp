@@ -217,4 +217,17 @@ std::vector<Power> powersOf(const Level& level) {
     return powers;
 }
 
+void paintWay(Canvas& canvas, Vec2 middle, Real size, Color color, bool elegant) {
+    const Real width = Real(0.3) * size;
+    const Vec2 top = middle + size * Vec2{Real(0.1), Real(0.7)};
+    const Vec2 tip = middle + size * Vec2{Real(0.6), Real(-0.75)};
+    canvas.line(middle + size * Vec2{Real(-0.7), Real(-0.75)}, top, width, color);
+    canvas.line(top, tip, width, color);
+    canvas.line(tip, tip + size * Vec2{Real(-0.5), Real(0.3)}, width, color);
+    canvas.line(tip, tip + size * Vec2{Real(0.35), Real(0.5)}, width, color);
+    if (elegant) {
+        canvas.disc(top, Real(0.36) * size, color, color);
+    }
+}
+
 } // namespace apart

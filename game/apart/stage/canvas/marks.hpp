@@ -30,4 +30,8 @@ std::string_view wordsOf(Power power);
 /// The distinct powers of a level, in order of the enumeration.
 std::vector<Power> powersOf(const Level& level);
 
+/// Paints a way to bring a building down: an arrow that bends down. The elegant one has a disc at
+/// its turn.
+void paintWay(Canvas& canvas, Vec2 middle, Real size, Color color, bool elegant);
+
 } // namespace apart

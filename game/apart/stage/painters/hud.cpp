@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/tuning.hpp>
+#include <apart/core/way_watch.hpp>
 #include <apart/stage/canvas/layout.hpp>
 #include <apart/stage/canvas/marks.hpp>
 #include <apart/stage/canvas/palette.hpp>
@@ -117,8 +118,9 @@ void paintCombo(Canvas& canvas, const Game& game) {
                 display(size, palette::kAccent));
 }
 
-/// Paints the powers of this level with their remaining time, active ones first.
-void paintPowers(Canvas& canvas, const Game& game) {
+/// Paints the powers of this level with their remaining time, active ones first. Returns the next
+/// free height.
+Real paintPowers(Canvas& canvas, const Game& game) {
     constexpr Real kLongest = static_cast<Real>(kEffectTicks) / kTicksPerSecond; // s
     constexpr std::size_t kMost = 6; // limited by the height of the panel
     std::vector<Power> powers = powersOf(game.level());
@@ -142,6 +144,23 @@ void paintPowers(Canvas& canvas, const Game& game) {
                      left / kLongest, color);
         }
         y -= Real(0.72);
+    }
+    return y;
+}
+
+/// Paints the ways of the building from a height down; those of the largest fall so far are lit.
+void paintWays(Canvas& canvas, const Level& level, std::uint32_t ways, Real y) {
+    if (level.ways.empty()) {
+        return;
+    }
+    y -= Real(0.3);
+    canvas.text("WAYS DOWN", {kPanelLeft, y}, quiet(Real(0.42)));
+    for (std::size_t i = 0; i < level.ways.size(); ++i) {
+        y -= Real(0.75);
+        const Color color = isWayIn(ways, i) ? palette::kAccent : palette::kQuiet;
+        paintWay(canvas, {kPanelLeft + Real(0.3), y + Real(0.13)}, Real(0.24), color, i == 0);
+        canvas.text(level.ways[i].name, {kPanelLeft + Real(0.85), y},
+                    {Real(0.38), color, Typeface::Plain, Align::Left, kPanelRoom - Real(0.85)});
     }
 }
 
@@ -272,7 +291,7 @@ void paintHud(Canvas& canvas, const Game& game, const HudLook& look) {
     paintProgress(canvas, game);
     paintMeter(canvas, game);
     paintCombo(canvas, game);
-    paintPowers(canvas, game);
+    paintWays(canvas, game.level(), look.ways, paintPowers(canvas, game));
     paintFoot(canvas, look);
 }
 

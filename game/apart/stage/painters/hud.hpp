@@ -17,6 +17,7 @@ struct HudLook {
     std::int32_t scoreBefore = 0; // of the previous endless levels
     std::int32_t best = 0;        // score to beat; 0: none
     Bindings keys{};
+    std::uint32_t ways = 0; // bits, of the largest fall so far, see WayWatch
     bool muted = false;
     bool takenOver = false; // from a replay
     std::string pilot{};    // label of the player in control; empty: the human player

@@ -15,6 +15,7 @@ bool Profile::enter(Mode in, const std::string& level, Best game) {
     known.fewHits = known.fewHits || game.fewHits;
     known.oneFall = known.oneFall || game.oneFall;
     known.kept = known.kept || game.kept;
+    known.ways |= game.ways;
     known.unproved = std::max(known.unproved, game.unproved);
     return beaten;
 }

@@ -24,7 +24,8 @@ struct Best {
     // Honours whose numbers depend on the level, see MedalMarks.
     bool fewHits = false;
     bool oneFall = false;
-    bool kept = false; // won, and Level::keep stands
+    bool kept = false;      // won, and Level::keep stands
+    std::uint32_t ways = 0; // bits, see WayWatch::ways(): in some won game
 
     friend bool operator==(Best, Best) = default;
 };

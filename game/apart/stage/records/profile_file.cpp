@@ -170,6 +170,7 @@ std::string toText(const Profile& profile) {
             text += best.fewHits ? "few-hits = true\n" : "";
             text += best.oneFall ? "one-fall = true\n" : "";
             text += best.kept ? "kept = true\n" : "";
+            text += best.ways > 0 ? fmt::format("ways = {}\n", best.ways) : "";
         }
     }
     for (std::size_t i = 0; i < profile.totals.size(); ++i) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/toml_keys.hpp>
+#include <apart/core/way_watch.hpp>
 #include <apart/stage/records/profile_reader.hpp>
 
 #include <fmt/format.h>
@@ -137,7 +138,10 @@ private:
                 best->contains("unproved") ? number(*best, "unproved", kScores) : 0,
                 best->contains("few-hits") && truth(*best, "few-hits"),
                 best->contains("one-fall") && truth(*best, "one-fall"),
-                best->contains("kept") && truth(*best, "kept")};
+                best->contains("kept") && truth(*best, "kept"),
+                best->contains("ways")
+                    ? static_cast<std::uint32_t>(number(*best, "ways", {0, kAllWays, 0}))
+                    : 0};
             const auto score = (*best)["score"].value_exact<std::int64_t>();
             if (!score || *score < kScores.least || *score > kScores.most) {
                 bests[std::string(level.str())].score = kUnreadScore;

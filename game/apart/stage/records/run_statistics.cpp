@@ -7,6 +7,7 @@
 namespace apart {
 
 void RunStatistics::update(const Game& game) {
+    way.update(game);
     for (const Event& event : game.events()) {
         if (const auto* broke = std::get_if<Broke>(&event)) {
             bestCombo = std::max(bestCombo, broke->combo);
@@ -42,6 +43,7 @@ Best RunStatistics::bestOf(const Game& game, const MedalMarks* marks) const {
     const bool won = game.result() == Result::Won;
     Best best{game.score(), won, won && !lifeLost, std::max(bestCombo, largestFall) >= kMostCombo};
     best.kept = won && keptAtEnd;
+    best.ways = won ? way.ways(game.level()) : 0;
     if (marks != nullptr) {
         best.fewHits = won && marks->fewHits > 0 && game.counts().hits <= marks->fewHits;
         best.oneFall = marks->oneFall > 0 && largestFall >= marks->oneFall;

@@ -3,6 +3,7 @@
 
 #include <apart/core/game.hpp>
 #include <apart/core/medals.hpp>
+#include <apart/core/way_watch.hpp>
 #include <apart/stage/records/profile.hpp>
 
 namespace apart {
@@ -22,6 +23,7 @@ struct ScoreParts {
 /// Statistics of one game, for the result screen.
 struct RunStatistics {
     ScoreParts points;
+    WayWatch way;
     int broken = 0; // blocks
     int fallen = 0;
     int caught = 0;   // parts

@@ -24,6 +24,9 @@ void addHonours(CampaignTally& tally, const Level& level, const Best& best,
     tally.honours += marks != nullptr && marks->fewHits > 0 && best.fewHits ? 1 : 0;
     tally.honours += marks != nullptr && marks->oneFall > 0 && best.oneFall ? 1 : 0;
     tally.honours += level.keep >= 0 && best.kept ? 1 : 0;
+    for (std::size_t i = 0; i < level.ways.size(); ++i) {
+        tally.honours += isWayIn(best.ways, i) ? 1 : 0;
+    }
 }
 
 std::string fallText(const Game& game, const RunStatistics& run) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/tuning.hpp>
+#include <apart/stage/canvas/marks.hpp>
 #include <apart/stage/canvas/palette.hpp>
 #include <apart/stage/painters/hud.hpp>
 #include <apart/stage/screens/results.hpp>
@@ -13,7 +14,8 @@ namespace apart {
 
 namespace {
 
-constexpr double kCountSeconds = 1.2; // duration of the score counter
+constexpr Real kHonoursRoom = Real(23.4); // m, of the row of honours
+constexpr double kCountSeconds = 1.2;     // duration of the score counter
 
 /// The score line by line: what was counted, and its points. The lines add up to the score.
 void paintScoreLines(Canvas& canvas, const ResultsLook& look) {
@@ -157,6 +159,9 @@ std::vector<std::string> honourNames(const Level& level, const MedalMarks* marks
     if (level.keep >= 0) {
         names.push_back("keep the " + level.keepName);
     }
+    for (const WayDef& way : level.ways) {
+        names.push_back(way.name);
+    }
     return names;
 }
 
@@ -179,6 +184,11 @@ void paintHonours(Canvas& canvas, Vec2 place, Vec2 step, Real size, const Honour
     }
     if (level.keep >= 0) {
         paintKept(canvas, place, size, colorOf(best.kept));
+        place += step;
+    }
+    for (std::size_t i = 0; i < level.ways.size(); ++i) {
+        paintWay(canvas, place, size, colorOf(isWayIn(best.ways, i)), i == 0);
+        place += step;
     }
 }
 
@@ -205,7 +215,7 @@ void paintResults(Canvas& canvas, const ResultsLook& look) {
     const MedalMarks* marks = marksFor(game.level().name, look.marks);
     const Best best = look.statistics.bestOf(game, marks); // honours of this game alone
     const std::vector<std::string> names = honourNames(game.level(), marks);
-    const Vec2 step{Real(3.9), 0};
+    const Vec2 step{std::min(Real(3.9), kHonoursRoom / static_cast<Real>(names.size())), 0};
     const Vec2 first = Vec2{0, Real(6.8)} - static_cast<Real>(names.size() - 1) / 2 * step;
     paintHonours(canvas, first, step, Real(0.42), {best, game.level(), marks});
     const Real room = step.x - Real(0.3);
