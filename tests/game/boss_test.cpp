@@ -92,7 +92,8 @@ TEST(Boss, LosesABlockBrokenOffByAnImpact) {
                                                          // mount
     EXPECT_EQ(game.blocksLeft(), 7);                     // counts until it is gone
     for (const Block& other : game.blocks()) {
-        EXPECT_EQ(game.findBlock(other.body, other.part), &other); // part indices were renumbered
+        EXPECT_EQ(game.state().findBlock(other.body, other.part),
+                  &other); // part indices were renumbered
     }
 }
 

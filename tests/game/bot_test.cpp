@@ -29,7 +29,7 @@ bool isCaught(const std::string& power) {
     const Level level = levelWith("b.............b\n" + emptyRows(11) + "...........P...\n", "P",
                                   "stuff = \"brick\"\npower = \"" + power + "\"");
     Game game(level, 1, Mode::Pure); // otherwise an idle ball would come back sooner
-    GameTestAccess::shoot(game, {-8, 6}, {Real(0.5), game.ballSpeed()});
+    GameTestAccess::shoot(game, {-8, 6}, {Real(0.5), game.state().ballSpeed()});
     const auto blocks = game.blocks();
     const auto part = std::find_if(blocks.begin(), blocks.end(), [](const Block& block) {
         return block.kind.power != Power::None;
@@ -57,13 +57,13 @@ TEST(Bot, CatchesGoodPowersAndAvoidsHarmfulOnes) {
 // paddle's field.
 TEST(Bot, PullsWithTheFieldAfterALongTimeWithoutDamage) {
     Game game(levelOf("b.............b\n" + emptyRows(3) + "....XXXXXXX....\n"), 1);
-    GameTestAccess::shoot(game, {0, 6}, {0, game.ballSpeed()});
+    GameTestAccess::shoot(game, {0, 6}, {0, game.state().ballSpeed()});
     bool drew = false;
     for (std::uint32_t tick = 0; tick < kShakeTicks; ++tick) {
         const Input input = bot(game);
         drew = drew || input.force == Force::Pull;
-        EXPECT_TRUE(input.force == Force::None || game.patience() != Patience::Calm);
-        GameTestAccess::shoot(game, {0, kFieldHeight - 6}, {0, game.ballSpeed()});
+        EXPECT_TRUE(input.force == Force::None || game.state().patience() != Patience::Calm);
+        GameTestAccess::shoot(game, {0, kFieldHeight - 6}, {0, game.state().ballSpeed()});
         game.tick(input);
     }
     EXPECT_TRUE(drew);

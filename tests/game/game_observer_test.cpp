@@ -16,7 +16,7 @@ using kodo::Vec2;
 /// A game whose ball flies through the middle of an empty field.
 struct Flight {
     Flight() : game(levelOf(emptyRows(1) + "b.............b\n"), 1) {
-        ball = GameTestAccess::shoot(game, {0, 8}, {3, game.ballSpeed()});
+        ball = GameTestAccess::shoot(game, {0, 8}, {3, game.state().ballSpeed()});
         tick();
     }
     void tick() {

@@ -352,11 +352,11 @@ TEST(Paddle, StaysInsideTheField) {
 /// speed of the level.
 std::pair<Real, Real> idleSpeeds(Mode mode) {
     Game game(levelOf("b.............b\n"), 1, mode);
-    const kodo::BodyId ball = GameTestAccess::shoot(game, {0, 6}, {0, game.ballSpeed()});
+    const kodo::BodyId ball = GameTestAccess::shoot(game, {0, 6}, {0, game.state().ballSpeed()});
     std::pair<Real, Real> fastest;
     for (int tick = 0; tick < 3 * kTicksPerSecond; ++tick) {
         game.tick({});
-        const Real share = length(game.world()[ball].velocity()) / game.ballSpeed();
+        const Real share = length(game.world()[ball].velocity()) / game.state().ballSpeed();
         const Real height = game.world()[ball].position().y;
         fastest.first = std::max(fastest.first, height > kQuickHeight ? share : 0);
         fastest.second = std::max(fastest.second, height < Real(2.2) ? share : 0);

@@ -41,7 +41,7 @@ TEST(Jam, ABallBetweenPaddleAndWallStaysInsideAndKeepsItsSpeedBounded) {
             game.tick({.target = thousandths(32 * side)});
             if (game.world().contains(ball)) {
                 const kodo::BodyView body = game.world()[ball];
-                fastest = std::max(fastest, length(body.velocity()) / game.ballSpeed());
+                fastest = std::max(fastest, length(body.velocity()) / game.state().ballSpeed());
                 deepest = std::max({deepest, body.bounds().upper.x - kFieldWidth / 2,
                                     -kFieldWidth / 2 - body.bounds().lower.x});
             }

@@ -152,13 +152,13 @@ int ticksUntilTorn(Game& game, Force force, int most = 240) {
 
 TEST(Pull, TearsTheLowestBlockOffOnceBlocksGlow) {
     Game game = glowing();
-    ASSERT_EQ(game.patience(), Patience::Glowing);
-    const Vec2 block = game.world()[game.nextToFall()->body].position();
+    ASSERT_EQ(game.state().patience(), Patience::Glowing);
+    const Vec2 block = game.world()[game.state().nextToFall()->body].position();
     const Real way = length(block - game.world()[game.paddle()].position());
     const Real gained = kForceAcceleration * (1 - way / kForceReach) * kTickSeconds;
     EXPECT_EQ(ticksUntilTorn(game, Force::Pull), static_cast<int>(kTornSpeed / gained) + 1);
     EXPECT_EQ(eventOf<LetGo>(game)->stuff, Stuff::Stone);
-    EXPECT_EQ(game.patience(), Patience::Calm) << "one block for each wait";
+    EXPECT_EQ(game.state().patience(), Patience::Calm) << "one block for each wait";
     EXPECT_EQ(ticksUntilTorn(game, Force::Pull), 0);
 }
 
@@ -177,10 +177,10 @@ TEST(Pull, BooksTheImpulseThatAWeakMountAbsorbs) {
     GameTestAccess::progress(calm);
     game.tick(holding(Force::Pull));
     calm.tick(holding(Force::Pull));
-    const Block* block = game.nextToFall();
+    const Block* block = game.state().nextToFall();
     const Real mass = game.world()[block->body].mass();
     const double more = game.ledger().fieldImpulseY - calm.ledger().fieldImpulseY;
-    EXPECT_TRUE(near(static_cast<Real>(more), -mass * game.tornShare() * kTornSpeed, 1e-3));
+    EXPECT_TRUE(near(static_cast<Real>(more), -mass * game.state().tornShare() * kTornSpeed, 1e-3));
 }
 
 TEST(Meter, DrainsInUseAndRefillsWithTime) {
@@ -236,7 +236,7 @@ TEST(Meter, FillsFasterAfterALongTimeWithoutDamage) {
     for (std::uint32_t tick = 0; tick < kGlowTicks / kLastHurry; ++tick) {
         GameTestAccess::idle(game);
     }
-    ASSERT_EQ(game.patience(), Patience::Glowing);
+    ASSERT_EQ(game.state().patience(), Patience::Glowing);
     GameTestAccess::setMeter(game, 0);
     game.tick({});
     EXPECT_TRUE(near(game.meter(), kHurry * kTickSeconds / kRefillSeconds, 1e-6));

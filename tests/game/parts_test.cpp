@@ -124,7 +124,7 @@ TEST(SplitBlock, BecomesSeveralBalls) {
     }
     for (const Ball& ball : game.balls()) {
         const Real speed = length(game.world()[ball.body].velocity());
-        EXPECT_TRUE(near(speed, game.ballSpeed(), game.ballSpeed() / 20));
+        EXPECT_TRUE(near(speed, game.state().ballSpeed(), game.state().ballSpeed() / 20));
     }
 }
 

@@ -47,7 +47,7 @@ TEST_P(LastingPower, IsCaughtAsABodyAndEndsInTime) {
     Game game = dropped(GetParam());
     ASSERT_EQ(game.parts().size(), 1u);
     EXPECT_GT(game.world()[game.parts()[0].body].mass(), Real(0.3));
-    EXPECT_EQ(game.secondsLeft(GetParam()), 0);
+    EXPECT_EQ(game.state().secondsLeft(GetParam()), 0);
 
     const auto began = playUntil<PowerBegan>(game, towards(kCatchX), 240);
 
@@ -55,7 +55,7 @@ TEST_P(LastingPower, IsCaughtAsABodyAndEndsInTime) {
     EXPECT_EQ(began->power, GetParam());
     EXPECT_NE(eventOf<Caught>(game), nullptr);
     EXPECT_EQ(game.parts().size(), 0u);
-    EXPECT_GT(game.secondsLeft(GetParam()), 7);
+    EXPECT_GT(game.state().secondsLeft(GetParam()), 7);
     while (game.ticks() + 1 < began->untilTick) {
         game.tick(towards(kCatchX));
         ASSERT_EQ(eventOf<PowerEnded>(game), nullptr);
@@ -63,7 +63,7 @@ TEST_P(LastingPower, IsCaughtAsABodyAndEndsInTime) {
     game.tick(towards(kCatchX));
     ASSERT_NE(eventOf<PowerEnded>(game), nullptr);
     EXPECT_EQ(eventOf<PowerEnded>(game)->power, GetParam());
-    EXPECT_EQ(game.secondsLeft(GetParam()), 0);
+    EXPECT_EQ(game.state().secondsLeft(GetParam()), 0);
     EXPECT_TRUE(game.effects().empty());
 }
 
@@ -85,10 +85,10 @@ TEST(HeavyBall, HitsWithAnImpulseProportionalToItsMass) {
 
 TEST(BallPowers, ChangeEveryBallAndRestoreItAfterwards) {
     Game game = given(Power::Egg);
-    EXPECT_EQ(game.ballKind(), BallKind::Egg);
+    EXPECT_EQ(game.state().ballKind(), BallKind::Egg);
     EXPECT_EQ(game.balls()[0].kind, BallKind::Egg);
     GameTestAccess::give(game, Power::Heavy); // only one kind at a time
-    EXPECT_EQ(game.ballKind(), BallKind::Heavy);
+    EXPECT_EQ(game.state().ballKind(), BallKind::Heavy);
     EXPECT_EQ(game.effects().size(), 1u);
     const auto changed = playUntil<BallChanged>(game, {}, static_cast<int>(kEffectTicks));
     ASSERT_TRUE(changed);
@@ -158,7 +158,7 @@ TEST(SpringPaddle, JumpsOnTheButtonAndAcceleratesTheBall) {
     std::array<Real, 2> speeds{};
     for (const bool leaps : {false, true}) {
         Game game = given(Power::Spring);
-        EXPECT_EQ(game.paddleKind(), PaddleKind::Recoiling);
+        EXPECT_EQ(game.state().paddleKind(), PaddleKind::Recoiling);
         GameTestAccess::shoot(game, {0, Real(3.2)}, {0, -12});
         Input input;
         Real highest = 0;
@@ -244,7 +244,7 @@ TEST(Well, CurvesThePathOfABallUntilItEnds) {
         game.tick({});
     }
     EXPECT_GT(game.balls()[0].heading.x, Real(0.2)); // towards the well
-    while (game.secondsLeft(Power::Well) > 0) {
+    while (game.state().secondsLeft(Power::Well) > 0) {
         game.tick({});
     }
     const Vec2 heading{Real(0.6), Real(0.8)};
@@ -257,8 +257,8 @@ TEST(Well, CurvesThePathOfABallUntilItEnds) {
 
 TEST(Wind, AcceleratesShardsMoreThanBalls) {
     Game game = given(Power::Wind, "g..............\n" + emptyRows(4) + ".......b.......\n");
-    const Real side = game.windSpeed() > 0 ? Real(1) : Real(-1);
-    EXPECT_TRUE(near(std::abs(game.windSpeed()), kWindSpeed, 1e-4));
+    const Real side = game.state().windSpeed() > 0 ? Real(1) : Real(-1);
+    EXPECT_TRUE(near(std::abs(game.state().windSpeed()), kWindSpeed, 1e-4));
     const kodo::BodyId ball = GameTestAccess::shoot(game, {0, 4}, {0, 12});
     GameTestAccess::breakBlock(game, 1, {0, 0});
     Real before = 0;
@@ -285,7 +285,7 @@ TEST(Powers, EndWhenALifeIsLost) {
     GameTestAccess::shoot(game, {8, 1}, {0, -12});
     ASSERT_TRUE(playUntil<LifeLost>(game, {}, 60));
     EXPECT_TRUE(game.effects().empty());
-    EXPECT_EQ(game.windSpeed(), 0);
+    EXPECT_EQ(game.state().windSpeed(), 0);
     EXPECT_EQ(game.balls()[0].kind, BallKind::Round);
 }
 

@@ -109,7 +109,7 @@ TEST(ProgressClock, DetectsNoLoopInVaryingPaths) {
 TEST(Mounts, FailFromBelowAfterALongTimeWithoutDamage) {
     Game game(levelOf("g..............\nb..............\n....b..........\n"), 1);
     GameTestAccess::shoot(game, {8, 9}, {0, 12});
-    EXPECT_EQ(game.nextToFall()->key, 2u * kColumns + 4);
+    EXPECT_EQ(game.state().nextToFall()->key, 2u * kColumns + 4);
     std::vector<std::uint32_t> fell;
     for (std::uint32_t tick = 1; tick <= kFailTicks + 3 * kFailEvery + 240; ++tick) {
         GameTestAccess::shoot(game, {8, 9}, {0, 12}); // resets the ball, so that it hits nothing
@@ -130,7 +130,7 @@ TEST(Mounts, HoldBeforeTheServe) {
     for (std::uint32_t tick = 0; tick < 2 * kFailTicks; ++tick) {
         game.tick({});
     }
-    EXPECT_EQ(game.patience(), Patience::Calm);
+    EXPECT_EQ(game.state().patience(), Patience::Calm);
     EXPECT_EQ(game.blocksLeft(), 1);
 }
 

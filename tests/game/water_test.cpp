@@ -174,11 +174,11 @@ TEST(Kept, ABlockOfSteelStandsUntilItFalls) {
     Game game(levelFrom(text), 1);
     EXPECT_EQ(game.level().keepName, "idol");
     playOn(game, 60);
-    EXPECT_TRUE(game.keeps());
+    EXPECT_TRUE(game.state().keeps());
     GameTestAccess::world(game)[game.blocks()[2].body].setVelocity({8, 0});
     playOn(game, 120);
-    EXPECT_FALSE(game.keeps());
-    EXPECT_FALSE(Game(levelFrom(lake(kRaft)), 1).keeps()) << "a level without one";
+    EXPECT_FALSE(game.state().keeps());
+    EXPECT_FALSE(Game(levelFrom(lake(kRaft)), 1).state().keeps()) << "a level without one";
     text.replace(text.find("keep = \"idol\""), 13, "keep = \"roof\"");
     EXPECT_TRUE(std::holds_alternative<FileProblem>(parseLevel(text, "test", "test.toml")));
 }

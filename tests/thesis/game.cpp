@@ -72,7 +72,7 @@ void split(Experiment& one) {
     }
     for (const Ball& ball : game.balls()) {
         slowest = std::min(slowest, static_cast<double>(length(game.world()[ball.body].velocity()) /
-                                                        game.ballSpeed()));
+                                                        game.state().ballSpeed()));
     }
     one.add("speed of the slowest ball over that of the level", "rules of aPart", slowest)
         .atLeast(0.95, "a servo holds the speed; no gravity bends the path");

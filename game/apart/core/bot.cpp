@@ -85,7 +85,7 @@ std::optional<Arrival> arrivalAt(const Game& game, const Ball& ball, Real height
 
 bool isInSight(const Game& game, Vec2 from, kodo::BodyId body) {
     const Vec2 way = game.world()[body].position() - from;
-    const std::optional<kodo::QueryHit> hit = game.ahead(from, way);
+    const std::optional<kodo::QueryHit> hit = game.state().ahead(from, way);
     return hit && hit->body == body;
 }
 
@@ -143,7 +143,8 @@ std::optional<Real> surestOffset(const Game& game, Real x, Vec2 heading) {
         const Real lean = offset / (kDomeRadius + kBallRadius);
         const Vec2 normal{lean, std::sqrt(1 - lean * lean)};
         const Vec2 leaving = heading - 2 * dot(heading, normal) * normal;
-        const std::optional<Real> way = game.wayToBlock({x, meetingHeight(offset)}, leaving);
+        const std::optional<Real> way =
+            game.state().wayToBlock({x, meetingHeight(offset)}, leaving);
         if (way && (!best || *way < shortest)) {
             best = offset;
             shortest = *way;
@@ -163,7 +164,7 @@ std::optional<std::int16_t> surestServe(const Game& game) {
         const auto aim = static_cast<std::int16_t>(kMostAim * shot / (2 * kShots));
         const Vec2 heading = normalize(Vec2{static_cast<Real>(aim) / 1000, 1});
         const std::optional<Real> way =
-            game.wayToBlock(game.world()[riding->body].position(), heading);
+            game.state().wayToBlock(game.world()[riding->body].position(), heading);
         if (way && (!best || *way < shortest)) {
             best = aim;
             shortest = *way;
@@ -195,7 +196,7 @@ Real placeFor(const Game& game, const Ball& ball, const Arrival& arrival, BotKin
     const Vec2 heading =
         mirroredHeading(ball.heading, body.position().x, body.velocity().x * arrival.seconds);
     Real offset = offsetFor(*goal, {arrival.x, meetingHeight(0)}, heading);
-    const bool tried = game.idleSeconds() > kTriedSeconds;
+    const bool tried = game.state().idleSeconds() > kTriedSeconds;
     if (!wantsLuck(game) || (kind == BotKind::Perfect && !tried)) {
         offset = surestOffset(game, arrival.x, heading).value_or(offset);
     }
@@ -249,7 +250,7 @@ Meeting firstMeeting(const Game& game, Real height) {
 /// Force of Good when nothing was damaged for a while. It tears a block off while no ball arrives,
 /// or pulls a high ball whose path does not hit a block.
 Force forceFor(const Game& game) {
-    if (game.patience() == Patience::Calm) {
+    if (game.state().patience() == Patience::Calm) {
         return Force::None;
     }
     const auto balls = game.balls();
@@ -257,13 +258,13 @@ Force forceFor(const Game& game) {
         const std::optional<Arrival> arrival = arrivalOf(game, ball);
         return !arrival || arrival->seconds > kPullSpare;
     });
-    if (safe && game.nextToFall() != nullptr) {
+    if (safe && game.state().nextToFall() != nullptr) {
         return Force::Pull;
     }
     for (const Ball& ball : game.balls()) {
         const Vec2 place = game.world()[ball.body].position();
         const bool high = place.y > kPullHeight;
-        if (!ball.riding && high && !game.meetsBlock(place, kFarSight * ball.heading)) {
+        if (!ball.riding && high && !game.state().meetsBlock(place, kFarSight * ball.heading)) {
             return Force::Pull;
         }
     }
@@ -365,7 +366,8 @@ Input bot(const Game& game, BotKind kind) {
                     : first.x;
     } else if (!game.balls().empty() && !game.serving()) {
         place = game.world()[game.balls()[0].body].position().x / 2; // half of its x, to stay near
-        const Block* tired = game.patience() == Patience::Calm ? nullptr : game.nextToFall();
+        const Block* tired =
+            game.state().patience() == Patience::Calm ? nullptr : game.state().nextToFall();
         if (aims && tired != nullptr) {
             place = game.world()[tired->body].position().x; // there its pull is strongest
         }

@@ -200,7 +200,7 @@ bool servesHit(const Level& level) {
     for (std::uint32_t seed = 1; seed <= kServeGames; ++seed) {
         Game game(level, seed);
         const kodo::Vec2 from = game.world()[game.balls()[0].body].position();
-        hits += game.meetsBlock(from, kFarSight * game.balls()[0].heading) ? 1 : 0;
+        hits += game.state().meetsBlock(from, kFarSight * game.balls()[0].heading) ? 1 : 0;
     }
     return 4 * hits >= 3 * kServeGames;
 }

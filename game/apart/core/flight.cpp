@@ -21,13 +21,13 @@ constexpr Real kOff = Real(0.01); // m; distance from the surface after a bounce
 
 bool isBent(const Game& game) {
     const auto effects = game.effects();
-    return !game.level().wells.empty() || game.windSpeed() != 0 ||
+    return !game.level().wells.empty() || game.state().windSpeed() != 0 ||
            std::any_of(effects.begin(), effects.end(),
                        [](const Effect& effect) { return effect.power == Power::Well; });
 }
 
 LoneFlight::LoneFlight(const Game& game, Vec2 place, Vec2 heading, Vec2 velocity)
-    : heading_(heading), speed_(game.ballSpeed()) {
+    : heading_(heading), speed_(game.state().ballSpeed()) {
     world_.setFields(game.world().fields());
     for (const kodo::BodyDef& def : wallDefs()) {
         world_.add(def);
@@ -55,7 +55,7 @@ std::vector<Vec2> servePath(const Game& game) {
         Vec2 from = leg[0];
         for (int bounces = game.mode() == Mode::Assisted ? kAssistedBounces : 0;; --bounces) {
             const Vec2 way = kFarSight * heading;
-            const std::optional<kodo::QueryHit> hit = game.ahead(from, way);
+            const std::optional<kodo::QueryHit> hit = game.state().ahead(from, way);
             leg.push_back(from + (hit ? hit->fraction : Real(1)) * way);
             if (bounces == 0 || !hit) {
                 return leg;
@@ -64,11 +64,11 @@ std::vector<Vec2> servePath(const Game& game) {
             heading -= 2 * dot(heading, hit->normal) * hit->normal;
         }
     }
-    LoneFlight flight(game, leg[0], heading, game.ballSpeed() * heading);
+    LoneFlight flight(game, leg[0], heading, game.state().ballSpeed() * heading);
     for (int step = 0; step < kLegSteps; ++step) {
         flight.step();
         const Vec2 way = flight.place() - leg.back();
-        const std::optional<kodo::QueryHit> hit = game.ahead(leg.back(), way);
+        const std::optional<kodo::QueryHit> hit = game.state().ahead(leg.back(), way);
         leg.push_back(leg.back() + (hit ? hit->fraction : Real(1)) * way);
         if (hit) {
             break;

@@ -21,7 +21,7 @@ void conclude(GameState& game) {
         return;
     }
     if (game.counts.blocksLeft == 0) {
-        if (game.tick - game.collapse.lastTick <= kLastFallTicks && game.falls()) {
+        if (game.tick - game.buildings.collapse.lastTick <= kLastFallTicks && game.falls()) {
             return; // no ball is needed any more
         }
         landAll(game);
@@ -43,8 +43,8 @@ void conclude(GameState& game) {
             return;
         }
         letGoOfParts(game);
-        while (!game.effects.empty()) {
-            endPower(game, game.effects.size() - 1);
+        while (!game.powers.effects.empty()) {
+            endPower(game, game.powers.effects.size() - 1);
         }
         refreshPowers(game);
         newPaddle(game);
@@ -59,9 +59,9 @@ Game::Game(const Level& level, std::uint32_t seed, Mode mode)
 
 Game::Game(std::shared_ptr<const Level> level, std::uint32_t seed, Mode mode) {
     state_.counts.lives = level->lives;
-    state_.level = std::move(level);
-    state_.seed = seed;
-    state_.mode = mode;
+    state_.origin.level = std::move(level);
+    state_.origin.seed = seed;
+    state_.origin.mode = mode;
     buildScene(state_);
     newPaddle(state_);
     newServe(state_);

@@ -34,34 +34,20 @@ public:
     std::int32_t blocksLeft() const { return state_.counts.blocksLeft; } // breakable and not fallen
     std::int32_t blocksAtStart() const { return state_.counts.blocksAtStart; }
 
-    const Level& level() const { return *state_.level; }
-    std::uint32_t seed() const { return state_.seed; }
-    Mode mode() const { return state_.mode; }
+    const Level& level() const { return *state_.origin.level; }
+    std::uint32_t seed() const { return state_.origin.seed; }
+    Mode mode() const { return state_.origin.mode; }
+
+    /// What the rules derive from the state: paths of balls, powers, time without damage, and so
+    /// on.
+    const GameState& state() const { return state_; }
 
     // Force field of the paddle.
-    kodo::Real meter() const { return state_.field.meter; } // 0..1
-    Force force() const { return state_.field.force; } // active one; None when the meter is empty
+    kodo::Real meter() const { return state_.paddle.field.meter; } // 0..1
+    Force force() const { return state_.paddle.field.force; }      // None when the meter is empty
 
-    // Timed powers.
-    std::span<const Effect> effects() const { return state_.effects; }
-    kodo::Real secondsLeft(Power power) const { return state_.secondsLeft(power); } // 0: not active
-    BallKind ballKind() const { return state_.ballKind(); } // of all balls in play
-    PaddleKind paddleKind() const { return state_.paddleKind(); }
+    std::span<const Effect> effects() const { return state_.powers.effects; }
     const Sway& sway() const { return state_.paddle.sway; }
-    kodo::Real windSpeed() const {
-        return state_.windSpeed();
-    } // m/s, to the right; level and effects together
-
-    // Time without damage to a block.
-    Patience patience() const { return state_.patience(); }
-    kodo::Real idleSeconds() const {
-        return state_.idleSeconds();
-    } // of the progress clock, which runs faster at the end
-    const Block* nextToFall() const {
-        return state_.nextToFall();
-    }                                             // its mount fails next; nullptr: none
-    bool tears() const { return state_.tears(); } // a pull acts on nextToFall()
-    kodo::Real tornShare() const { return state_.tornShare(); } // 0..1, progress of that pull
     const Ledger& ledger() const { return state_.ledger; }
 
     // For drawing: world()[body].part(i).convex under world()[body].massFrame().
@@ -76,34 +62,16 @@ public:
     std::span<const Shard> shards() const { return state_.shards; }
     std::span<const Part> parts() const { return state_.parts; }
     std::span<const Obstruction> obstructions() const { return state_.obstructions; }
-    std::span<const Link> links() const { return state_.links; }
+    std::span<const Link> links() const { return state_.buildings.links; }
     std::span<const Water> waters() const { return state_.waters; }
-    const Collapse& collapse() const { return state_.collapse; }
+    const Collapse& collapse() const { return state_.buildings.collapse; }
     std::optional<kodo::BodyId> boss() const {
         return state_.livingBoss();
     } // nullopt: none, or defeated
-    const Block* findBlock(kodo::BodyId body, std::size_t part = 0) const {
-        return state_.findBlock(body, part);
-    } // nullptr: none
-    /// First wall, block or obstruction on the straight path of a ball along `way` (m).
-    std::optional<kodo::QueryHit> ahead(kodo::Vec2 from, kodo::Vec2 way) const {
-        return state_.ahead(from, way);
-    }
-    bool meetsBlock(kodo::Vec2 from, kodo::Vec2 way) const {
-        return state_.meetsBlock(from, way);
-    } // ahead() is breakable
-    /// True while Level::keep, of an honour, has not fallen.
-    bool keeps() const { return state_.keeps(); }
     /// True while a ball waits for `launch`.
     bool serving() const { return state_.serving(); }
-    /// Length (m) of a ball's path, with its bounces off what stands still, from a point along a
-    /// unit heading to the first block that counts; none if it meets none in six bounces.
-    std::optional<kodo::Real> wayToBlock(kodo::Vec2 from, kodo::Vec2 heading) const {
-        return state_.wayToBlock(from, heading);
-    }
     /// Unit direction of the next serve.
     kodo::Vec2 serveHeading() const { return state_.paddle.serveHeading; }
-    kodo::Real ballSpeed() const { return state_.ballSpeed(); } // m/s; target of the speed servo
 
     /// Equal for games that continue identically. The same on every machine.
     std::uint64_t stateHash() const { return state_.hash(); }

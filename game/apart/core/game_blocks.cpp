@@ -129,7 +129,7 @@ void dropUnsupported(GameState& game, Vec2 last) {
 }
 
 void letGoNext(GameState& game, LetGo::Why why) {
-    game.field.tornSpeed = 0; // it belongs to one block
+    game.paddle.field.tornSpeed = 0; // it belongs to one block
     const Block* block = game.nextToFall();
     if (block == nullptr) {
         return;
@@ -150,12 +150,12 @@ void watchProgress(GameState& game) {
     const bool fails = game.result == Result::Playing && !game.serving() && game.clock.tick(hurry);
     if (fails && game.armed()) {
         letGoNext(game, LetGo::Why::Fatigue);
-    } else if (game.field.tornSpeed >= kTornSpeed) {
+    } else if (game.paddle.field.tornSpeed >= kTornSpeed) {
         letGoNext(game, LetGo::Why::Torn);
         game.clock.progress(); // counts as damage by the player
     }
     if (game.patience() == Patience::Calm) {
-        game.field.tornSpeed = 0;
+        game.paddle.field.tornSpeed = 0;
     }
     if (const std::optional<Patience> patience = game.clock.takeChange()) {
         game.events.emplace_back(PatienceChanged{*patience});

@@ -32,7 +32,7 @@ bool hasFallen(const GameState& game, const Block& block) {
 
 /// True if little of a building is left above its lowest block.
 bool isLow(const GameState& game) {
-    const Level& level = *game.level;
+    const Level& level = *game.origin.level;
     std::vector<Real> heights; // m, of its blocks at the start
     for (const FreeBlock& block : level.freeBlocks) {
         if (level.kinds[block.kind].breakable() &&
@@ -93,8 +93,9 @@ void watchBuildings(GameState& game) {
             markFallen(game, i, LetGo::Why::Toppled);
         }
     }
-    const bool quiet = game.tick - game.collapse.lastTick > kCollapseGap;
-    if (game.collapse.blocks > 0 && quiet && game.counts.blocksLeft > 0 && !game.falls()) {
+    const bool quiet = game.tick - game.buildings.collapse.lastTick > kCollapseGap;
+    if (game.buildings.collapse.blocks > 0 && quiet && game.counts.blocksLeft > 0 &&
+        !game.falls()) {
         endCollapse(game);
     }
     crumble(game);
@@ -109,7 +110,7 @@ void findCarriers(GameState& game) {
     const kodo::World& world = game.world;
     const auto add = [&](BodyId block, BodyId by) {
         if (stands(block)) {
-            game.carriers.push_back(
+            game.buildings.carriers.push_back(
                 {block, by, toLocal(world[by].transform(), world[block].position())});
         }
     };
@@ -118,7 +119,7 @@ void findCarriers(GameState& game) {
             hit.normal.y > 0 ? add(hit.b, hit.a) : add(hit.a, hit.b);
         }
     }
-    for (const Link& link : game.links) {
+    for (const Link& link : game.buildings.links) {
         const kodo::JointDef& def = world.joint(link.joint);
         add(secondBody(def), firstBody(def));
     }
@@ -126,7 +127,7 @@ void findCarriers(GameState& game) {
 
 bool GameState::isCarried(const Block& block) const {
     const Vec2 place = world[block.body].position();
-    for (const Carrier& carrier : carriers) {
+    for (const Carrier& carrier : buildings.carriers) {
         if (carrier.block != block.body || !world.contains(carrier.by)) {
             continue;
         }
@@ -139,7 +140,7 @@ bool GameState::isCarried(const Block& block) const {
     for (std::size_t i = 0; i < waters.size(); ++i) { // afloat, as high above the surface as before
         const Vec2 home = block.home.position;
         const kodo::Aabb& water = waters[i].region;
-        const auto top = static_cast<Real>(level->waters[i].y) / 1000;
+        const auto top = static_cast<Real>(origin.level->waters[i].y) / 1000;
         const bool within = std::min(home.x, place.x) > water.lower.x &&
                             std::max(home.x, place.x) < water.upper.x && home.y > water.lower.y &&
                             home.y < top + kFallenWay;
@@ -154,8 +155,8 @@ bool GameState::isCarried(const Block& block) const {
 /// Breaks what is left of a building that is down, block by block.
 void crumble(GameState& game) {
     if (!game.counts.isDown()) {
-        const bool quiet = game.tick - game.collapse.lastTick > kDownTicks;
-        const bool down = game.armed() && quiet && isBuilding(*game.level) && isLow(game);
+        const bool quiet = game.tick - game.buildings.collapse.lastTick > kDownTicks;
+        const bool down = game.armed() && quiet && isBuilding(*game.origin.level) && isLow(game);
         game.counts.downTick = down ? game.tick : 0;
     }
     if (!game.counts.isDown()) {
@@ -171,7 +172,7 @@ void crumble(GameState& game) {
 /// for half of its lifetime at least from then on.
 void rest(GameState& game, Block& block) {
     land(game, block);
-    if (hasGround(*game.level)) {
+    if (hasGround(*game.origin.level)) {
         block.looseTick =
             std::max(block.looseTick + kFallenTicks / 2, game.tick) - kFallenTicks / 2;
     }
@@ -186,8 +187,8 @@ bool GameState::falls() const {
 void land(GameState& game, Block& block, const kodo::CollisionRecord* impact) {
     if (block.due > 0) {
         const Vec2 place = impact != nullptr ? impact->point : game.frameOf(block).position;
-        ++game.collapse.landed;
-        game.collapse.sum += place;
+        ++game.buildings.collapse.landed;
+        game.buildings.collapse.sum += place;
         game.counts.score += block.due;
         game.events.emplace_back(
             Landed{.block = block.body,
@@ -229,37 +230,39 @@ std::int32_t addToCollapse(GameState& game, const Block& block) {
     if (game.counts.hits == 0) {
         return 0;
     }
-    ++game.collapse.blocks;
-    game.collapse.lastTick = game.tick;
-    game.collapse.largest = std::max(game.collapse.largest, game.collapse.blocks);
-    const std::int32_t chain = std::max(game.collapse.blocks, game.counts.combo);
+    ++game.buildings.collapse.blocks;
+    game.buildings.collapse.lastTick = game.tick;
+    game.buildings.collapse.largest =
+        std::max(game.buildings.collapse.largest, game.buildings.collapse.blocks);
+    const std::int32_t chain = std::max(game.buildings.collapse.blocks, game.counts.combo);
     const std::int32_t factor = game.counts.isDown() ? 1 : std::min(chain, kMostCombo);
     const std::int32_t points = pointsOf(block.kind) * factor;
-    game.collapse.points += points;
+    game.buildings.collapse.points += points;
     return points;
 }
 
 void endCollapse(GameState& game) {
-    if (game.collapse.blocks >= kLeastCollapse) {
-        const Vec2 middle =
-            game.collapse.sum / static_cast<Real>(std::max(game.collapse.landed, 1));
-        game.events.emplace_back(Collapsed{game.collapse.blocks, game.collapse.points, middle});
+    if (game.buildings.collapse.blocks >= kLeastCollapse) {
+        const Vec2 middle = game.buildings.collapse.sum /
+                            static_cast<Real>(std::max(game.buildings.collapse.landed, 1));
+        game.events.emplace_back(
+            Collapsed{game.buildings.collapse.blocks, game.buildings.collapse.points, middle});
     }
-    game.collapse = {.largest = game.collapse.largest};
+    game.buildings.collapse = {.largest = game.buildings.collapse.largest};
 }
 
 void watchLinks(GameState& game) {
     for (const kodo::BrokenJoint& broken : game.world.brokenJoints()) {
-        const auto found = std::find_if(game.links.begin(), game.links.end(),
+        const auto found = std::find_if(game.buildings.links.begin(), game.buildings.links.end(),
                                         [&](const Link& link) { return link.joint == broken.id; });
-        if (found != game.links.end()) {
+        if (found != game.buildings.links.end()) {
             game.events.emplace_back(Snapped{found->kind, found->place, broken.force});
             game.clock.progress();
         }
     }
     forgetLinks(game);
     const kodo::World& world = game.world;
-    for (Link& link : game.links) {
+    for (Link& link : game.buildings.links) {
         const kodo::JointDef& def = world.joint(link.joint);
         const Vec2 anchor = std::visit(
             [](const auto& joint) {
@@ -275,13 +278,14 @@ void watchLinks(GameState& game) {
 }
 
 void forgetLinks(GameState& game) {
-    std::erase_if(game.links, [&](const Link& link) { return !game.world.contains(link.joint); });
+    std::erase_if(game.buildings.links,
+                  [&](const Link& link) { return !game.world.contains(link.joint); });
 }
 
 /// Removes the joints of a body.
 void dropLinks(GameState& game, BodyId body) {
     forgetLinks(game); // of bodies removed since
-    for (const Link& link : game.links) {
+    for (const Link& link : game.buildings.links) {
         const kodo::JointDef& def = game.world.joint(link.joint);
         if (firstBody(def) == body || secondBody(def) == body) {
             game.world.remove(link.joint);

@@ -19,19 +19,22 @@ static Vec2 tear(GameState& game, Vec2 center);
 void useForce(GameState& game, const Input& input) {
     const bool wanted = input.force != Force::None && game.result == Result::Playing;
     // Hysteresis: a field that started at an almost empty meter would flicker.
-    const bool enough =
-        input.force == game.field.force ? game.field.meter > 0 : game.field.meter >= kMeterStart;
+    const bool enough = input.force == game.paddle.field.force
+                            ? game.paddle.field.meter > 0
+                            : game.paddle.field.meter >= kMeterStart;
     const Force next = wanted && enough ? input.force : Force::None;
-    if (next != game.field.force) {
-        game.field.force = next;
+    if (next != game.paddle.field.force) {
+        game.paddle.field.force = next;
         game.events.emplace_back(ForceChanged{next});
     }
-    if (game.field.force != Force::None) {
-        game.field.meter = std::max(game.field.meter - kTickSeconds / kMeterSeconds, Real(0));
+    if (game.paddle.field.force != Force::None) {
+        game.paddle.field.meter =
+            std::max(game.paddle.field.meter - kTickSeconds / kMeterSeconds, Real(0));
         return;
     }
     const Real hurry = game.patience() == Patience::Calm ? Real(1) : kHurry;
-    game.field.meter = std::min(game.field.meter + hurry * kTickSeconds / kRefillSeconds, Real(1));
+    game.paddle.field.meter =
+        std::min(game.paddle.field.meter + hurry * kTickSeconds / kRefillSeconds, Real(1));
 }
 
 Vec2 draw(GameState& game, BodyId body, Vec2 center, Real acceleration, Real reach) {
@@ -53,13 +56,13 @@ Vec2 draw(GameState& game, BodyId body, Vec2 center, Real acceleration, Real rea
 
 void applyForces(GameState& game) {
     const bool magnet = game.secondsLeft(Power::Magnet) > 0;
-    if (game.field.force == Force::None && !magnet) {
+    if (game.paddle.field.force == Force::None && !magnet) {
         return;
     }
     const Vec2 center = game.world[game.paddle.body].position();
-    const Real pull = game.field.force == Force::None   ? Real(0)
-                      : game.field.force == Force::Pull ? kForceAcceleration
-                                                        : -kForceAcceleration;
+    const Real pull = game.paddle.field.force == Force::None   ? Real(0)
+                      : game.paddle.field.force == Force::Pull ? kForceAcceleration
+                                                               : -kForceAcceleration;
     Vec2 given;
     const auto use = [&](BodyId body, bool magnetic) {
         if (pull != 0) {
@@ -101,7 +104,7 @@ Vec2 tear(GameState& game, Vec2 center) {
     const Vec2 way = center - game.frameOf(*block).position;
     const Real share = std::max(1 - length(way) / kForceReach, Real(0));
     const Real gained = kForceAcceleration * share * kTickSeconds;
-    game.field.tornSpeed += gained;
+    game.paddle.field.tornSpeed += gained;
     if (block->support == Support::Hanging) {
         return {}; // draw(game) acts on it, as on loose blocks
     }

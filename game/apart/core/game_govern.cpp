@@ -46,7 +46,7 @@ void governBall(GameState& game, Ball& ball) {
     }
     const bool idle = ball.hollow || game.clock.idleTicks() > kQuickTicks;
     const bool quick =
-        idle && game.mode != Mode::Pure && game.world[ball.body].position().y > kQuickHeight;
+        idle && game.origin.mode != Mode::Pure && game.world[ball.body].position().y > kQuickHeight;
     const Real target = quick ? kQuickFactor * game.ballSpeed() : game.ballSpeed();
     const bool slow = length(game.world[ball.body].velocity()) < kSwallowed * game.ballSpeed();
     ball.carriedTicks = !slow ? 0 : carried ? ball.carriedTicks + 1 : ball.carriedTicks;
@@ -64,7 +64,7 @@ void governBall(GameState& game, Ball& ball) {
         }
     } else if (!normals.empty()) {
         ++game.ledger.bounces;
-        if (game.mode != Mode::Pure) {
+        if (game.origin.mode != Mode::Pure) {
             const Vec2 thrown =
                 rubble ? throwOff(velocity, ball.heading, normals, game.ballSpeed()) : velocity;
             next = turnedFromFlat(thrown, normals);

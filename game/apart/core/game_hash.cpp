@@ -102,8 +102,8 @@ void add(kodo::StateHash& hash, const std::vector<T>& list) {
 std::uint64_t GameState::hash() const {
     kodo::StateHash sum;
     sum.add(world.stateHash());
-    sum.add(seed);
-    sum.add(static_cast<std::uint8_t>(mode));
+    sum.add(origin.seed);
+    sum.add(static_cast<std::uint8_t>(origin.mode));
     sum.add(tick);
     sum.add(static_cast<std::uint8_t>(result));
     for (const std::int32_t number :
@@ -114,13 +114,14 @@ std::uint64_t GameState::hash() const {
     sum.add(counts.serves);
     sum.add(counts.downTick);
     sum.add(counts.hitTick);
-    sum.add(static_cast<std::uint64_t>(carriers.size()));
+    sum.add(static_cast<std::uint64_t>(buildings.carriers.size()));
     add(sum, paddle.body);
-    for (const Real number : {paddle.speed, paddle.sway.tilt, paddle.sway.tiltSpeed,
-                              paddle.sway.lift, paddle.sway.liftSpeed, field.meter, boss.home}) {
+    for (const Real number :
+         {paddle.speed, paddle.sway.tilt, paddle.sway.tiltSpeed, paddle.sway.lift,
+          paddle.sway.liftSpeed, paddle.field.meter, boss.home}) {
         sum.add(number);
     }
-    sum.add(static_cast<std::uint8_t>(field.force));
+    sum.add(static_cast<std::uint8_t>(paddle.field.force));
     add(sum, boss.body);
     sum.add(boss.way);
     add(sum, paddle.serveHeading);
@@ -131,15 +132,15 @@ std::uint64_t GameState::hash() const {
     add(sum, shards);
     add(sum, parts);
     add(sum, obstructions);
-    sum.add(static_cast<std::uint64_t>(links.size()));
-    add(sum, collapse);
+    sum.add(static_cast<std::uint64_t>(buildings.links.size()));
+    add(sum, buildings.collapse);
     for (const Water& water : waters) { // without water: the hash of older versions
         sum.add(water.region.upper.y);
         sum.add(static_cast<std::uint8_t>(water.open));
     }
-    add(sum, effects);
+    add(sum, powers.effects);
     sum.add(clock.stateHash());
-    sum.add(field.tornSpeed);
+    sum.add(paddle.field.tornSpeed);
     add(sum, ledger);
     return sum.value();
 }

@@ -147,7 +147,8 @@ void judgeBall(GameState& game, const CollisionRecord& hit, BodyId ball) {
 }
 
 void judgeBlock(GameState& game, const CollisionRecord& hit, BodyId body) {
-    const bool drawnIn = game.field.force == Force::Pull && hit.other(body) == game.paddle.body;
+    const bool drawnIn =
+        game.paddle.field.force == Force::Pull && hit.other(body) == game.paddle.body;
     if (!drawnIn && hit.maxPointImpulse() < kSlightestImpact) {
         return; // most records: resting contacts
     }
@@ -199,7 +200,8 @@ void judgeBlock(GameState& game, const CollisionRecord& hit, BodyId body) {
 }
 
 void judgeShard(GameState& game, const CollisionRecord& hit, BodyId body) {
-    const bool drawnIn = game.field.force == Force::Pull && hit.other(body) == game.paddle.body;
+    const bool drawnIn =
+        game.paddle.field.force == Force::Pull && hit.other(body) == game.paddle.body;
     if (!drawnIn && hit.maxPointImpulse() < kSlightestImpact) {
         return; // most records: resting contacts of shards
     }
@@ -238,8 +240,8 @@ void catchBlock(GameState& game, std::size_t index, Vec2 point) {
 
 void addToMeter(GameState& game, Stuff stuff, Real mass, Vec2 point) {
     game.ledger.removedMass += static_cast<double>(mass);
-    game.field.meter = std::min(game.field.meter + kMeterPerKilogram * mass, Real(1));
-    game.events.emplace_back(ShardCaught{stuff, point, game.field.meter});
+    game.paddle.field.meter = std::min(game.paddle.field.meter + kMeterPerKilogram * mass, Real(1));
+    game.events.emplace_back(ShardCaught{stuff, point, game.paddle.field.meter});
 }
 
 void judgePart(GameState& game, const CollisionRecord& hit, BodyId body) {

@@ -27,7 +27,8 @@ bool touches(const Game& game, kodo::BodyId ball) {
 /// True if a force field or the magnet acts on balls, so that their paths may bend.
 bool isPulled(const Game& game) {
     const auto effects = game.effects();
-    return game.force() != Force::None || game.windSpeed() != 0 || !game.level().wells.empty() ||
+    return game.force() != Force::None || game.state().windSpeed() != 0 ||
+           !game.level().wells.empty() ||
            std::any_of(effects.begin(), effects.end(), [](const Effect& effect) {
                return effect.power == Power::Magnet || effect.power == Power::Well ||
                       effect.power == Power::Wind;
@@ -71,7 +72,7 @@ void GameObserver::follow(const Game& game, const Ball& ball, const Track* befor
     const kodo::BodyView body = game.world()[ball.body];
     Track now{ball.body, body.velocity()};
     const Real speed = length(now.velocity);
-    if (speed < game.ballSpeed() / 2) {
+    if (speed < game.state().ballSpeed() / 2) {
         now.slowTicks = before != nullptr ? before->slowTicks + 1 : 1;
         observations_.halts += now.slowTicks == kSlowTicks ? 1 : 0;
     }

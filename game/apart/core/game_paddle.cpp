@@ -46,7 +46,7 @@ Vec2 rideOffset(BallKind kind) {
 /// Direction of a serve: the first of kServeDraws random ones whose path comes to a block within
 /// kServeSeconds, else the one with the shortest path.
 Vec2 drawServe(const GameState& game, Vec2 from) {
-    Generator chance(mixKeys(game.seed, game.counts.serves, 1));
+    Generator chance(mixKeys(game.origin.seed, game.counts.serves, 1));
     Vec2 best{};
     Real shortest = std::numeric_limits<Real>::max();
     for (int draw = 0; draw < kServeDraws; ++draw) {
@@ -83,8 +83,8 @@ void newServe(GameState& game) {
     const Vec2 place = game.world[game.paddle.body].position() + rideOffset(kind);
     game.paddle.serveHeading = drawServe(game, place);
     ++game.counts.serves;
-    const bool hollow =
-        game.mode != Mode::Pure && (isBuilding(*game.level) || !game.level->links.empty());
+    const bool hollow = game.origin.mode != Mode::Pure &&
+                        (isBuilding(*game.origin.level) || !game.origin.level->links.empty());
     const BodyId ball = addBall(game.world, place, kind);
     game.world[ball].setType(kodo::BodyType::Kinematic);
     game.balls.push_back({ball, game.paddle.serveHeading, true, hollow, kind});

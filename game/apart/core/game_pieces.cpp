@@ -93,8 +93,8 @@ std::int32_t countBroken(GameState& game, const Block& block, Vec2 place) {
     --game.counts.blocksLeft;
     if (block.support == Support::Standing) {
         const std::int32_t points = addToCollapse(game, block);
-        ++game.collapse.landed;
-        game.collapse.sum += place;
+        ++game.buildings.collapse.landed;
+        game.buildings.collapse.sum += place;
         ++game.counts.combo;
         return points;
     }
@@ -109,7 +109,7 @@ int addPieces(GameState& game, const Block& block, const kodo::Shape& shape,
     const kodo::Transform& frame = before.frame;
     const PieceMotion& carried = before.motion;
     const std::vector<Piece> pieces =
-        piecesOf(block.kind, shape, before.hit, mixKeys(game.seed, block.key, 2));
+        piecesOf(block.kind, shape, before.hit, mixKeys(game.origin.seed, block.key, 2));
     const bool rubble = block.support == Support::Fallen;
     const std::uint32_t born = rubble ? game.tick + kRubbleTicks - kShardTicks : game.tick;
     std::vector<kodo::Mass> masses;
@@ -175,7 +175,7 @@ void breakShard(GameState& game, std::size_t index, Vec2 point, Real impulse) {
     const kodo::Transform frame{body.position(), body.rotation()};
     std::vector<kodo::Polygon> pieces =
         fracture(*polygon, toLocal(frame, point), Pattern::Halves, shardLimits(),
-                 mixKeys(game.seed, game.tick, shard.body.index));
+                 mixKeys(game.origin.seed, game.tick, shard.body.index));
     if (pieces.size() < 2) {
         game.shards[index].strengthLeft = std::numeric_limits<Real>::max(); // too small to break
         return;

@@ -35,36 +35,36 @@ static void reshapeBalls(GameState& game);
 
 void beginPower(GameState& game, Power power, Vec2 point, Vec2 origin) {
     if (ballKindOf(power)) { // all balls have one kind
-        for (std::size_t i = game.effects.size(); i-- > 0;) {
-            if (ballKindOf(game.effects[i].power) && game.effects[i].power != power) {
+        for (std::size_t i = game.powers.effects.size(); i-- > 0;) {
+            if (ballKindOf(game.powers.effects[i].power) && game.powers.effects[i].power != power) {
                 endPower(game, i);
             }
         }
     }
-    const auto same = std::find_if(game.effects.begin(), game.effects.end(),
+    const auto same = std::find_if(game.powers.effects.begin(), game.powers.effects.end(),
                                    [&](const Effect& effect) { return effect.power == power; });
-    const int side = Generator(mixKeys(game.seed, game.tick, 3)).below(2) == 0 ? 1 : -1;
+    const int side = Generator(mixKeys(game.origin.seed, game.tick, 3)).below(2) == 0 ? 1 : -1;
     const Effect effect{power, game.tick + (movesAir(power) ? kBriefTicks : kEffectTicks), origin,
                         side};
-    if (same == game.effects.end()) {
-        game.effects.push_back(effect);
+    if (same == game.powers.effects.end()) {
+        game.powers.effects.push_back(effect);
     } else {
         *same = effect;
     }
-    game.fieldsStale = game.fieldsStale || movesAir(power);
+    game.powers.fieldsStale = game.powers.fieldsStale || movesAir(power);
     game.events.emplace_back(PowerBegan{power, point, effect.untilTick});
 }
 
 void endPower(GameState& game, std::size_t effect) {
-    const Power power = game.effects[effect].power;
-    game.effects.erase(game.effects.begin() + static_cast<std::ptrdiff_t>(effect));
-    game.fieldsStale = game.fieldsStale || movesAir(power);
+    const Power power = game.powers.effects[effect].power;
+    game.powers.effects.erase(game.powers.effects.begin() + static_cast<std::ptrdiff_t>(effect));
+    game.powers.fieldsStale = game.powers.fieldsStale || movesAir(power);
     game.events.emplace_back(PowerEnded{power});
 }
 
 void endOldPowers(GameState& game) {
-    for (std::size_t i = game.effects.size(); i-- > 0;) {
-        if (game.effects[i].untilTick <= game.tick) {
+    for (std::size_t i = game.powers.effects.size(); i-- > 0;) {
+        if (game.powers.effects[i].untilTick <= game.tick) {
             endPower(game, i);
         }
     }
@@ -73,7 +73,7 @@ void endOldPowers(GameState& game) {
 
 void refreshPowers(GameState& game) {
     reshapeBalls(game);
-    if (game.fieldsStale) {
+    if (game.powers.fieldsStale) {
         renewFields(game);
     }
 }
@@ -112,18 +112,18 @@ void renewFields(GameState& game) {
         fields.push_back(
             {std::make_shared<kodo::Wind>(kWindLaw, Vec2{game.windSpeed(), 0}), kFlying});
     }
-    for (const WellDef& well : game.level->wells) {
+    for (const WellDef& well : game.origin.level->wells) {
         const Vec2 place{static_cast<Real>(well.x) / 1000, static_cast<Real>(well.y) / 1000};
         fields.push_back(wellField(place, static_cast<Real>(well.strength) / 1000));
     }
-    for (const Effect& effect : game.effects) {
+    for (const Effect& effect : game.powers.effects) {
         if (effect.power == Power::Well) {
             fields.push_back(wellField(effect.place, kWellStrength));
         }
     }
     addWaterFields(game, fields);
     game.world.setFields(std::move(fields));
-    game.fieldsStale = false;
+    game.powers.fieldsStale = false;
 }
 
 bool weldWings(GameState& game) {

@@ -29,8 +29,8 @@ void buildField(GameState& game) {
 }
 
 void buildBlocks(GameState& game) {
-    for (const Cell& cell : game.level->cells) {
-        const BlockKind& kind = game.level->kinds[cell.kind];
+    for (const Cell& cell : game.origin.level->cells) {
+        const BlockKind& kind = game.origin.level->kinds[cell.kind];
         Block block{.kind = kind,
                     .strengthLeft = static_cast<Real>(kind.strength) / 1000,
                     .key = static_cast<std::uint32_t>(cell.row * kColumns + cell.column),
@@ -63,14 +63,14 @@ void addBlock(GameState& game, Block block) {
 }
 
 void buildFreeBlocks(GameState& game) {
-    if (!game.level->freeBlocks.empty()) { // a tower sinks less into itself
+    if (!game.origin.level->freeBlocks.empty()) { // a tower sinks less into itself
         kodo::StepSettings settings = game.world.settings();
         settings.soft().contactHertz = kBuildingHertz;
         game.world.setSettings(settings);
     }
-    for (std::size_t i = 0; i < game.level->freeBlocks.size(); ++i) {
-        const FreeBlock& def = game.level->freeBlocks[i];
-        const BlockKind& kind = game.level->kinds[def.kind];
+    for (std::size_t i = 0; i < game.origin.level->freeBlocks.size(); ++i) {
+        const FreeBlock& def = game.origin.level->freeBlocks[i];
+        const BlockKind& kind = game.origin.level->kinds[def.kind];
         addBlock(game, {.body = game.world.add(blockDef(kind, placedShapeOf(def))),
                         .kind = kind,
                         .strengthLeft = static_cast<Real>(kind.strength) / 1000,
@@ -80,12 +80,13 @@ void buildFreeBlocks(GameState& game) {
 }
 
 void buildLinks(GameState& game) {
-    const std::size_t first = game.level->cells.size(); // free blocks follow those of the grid
+    const std::size_t first =
+        game.origin.level->cells.size(); // free blocks follow those of the grid
     const auto bodyOf = [&](std::int32_t index, Vec2 place) {
         return index < 0 ? game.world.add(pivotDef(place))
                          : game.blocks[first + static_cast<std::size_t>(index)].body;
     };
-    for (const LinkDef& def : game.level->links) {
+    for (const LinkDef& def : game.origin.level->links) {
         const Vec2 place{static_cast<Real>(def.fromX) / 1000, static_cast<Real>(def.fromY) / 1000};
         const BodyId a = bodyOf(def.a, place);
         const BodyId b = bodyOf(def.b, place);
@@ -93,7 +94,7 @@ void buildLinks(GameState& game) {
         const kodo::JointDef joint = jointOf(def, world[a], world[b]);
         const kodo::JointId id =
             std::visit([&](const auto& alternative) { return game.world.add(alternative); }, joint);
-        game.links.push_back(
+        game.buildings.links.push_back(
             {def.kind,
              id, // its end at b
              {static_cast<Real>(def.toX) / 1000, static_cast<Real>(def.toY) / 1000}});
@@ -139,7 +140,7 @@ void buildBoss(GameState& game) {
 }
 
 void buildObstructions(GameState& game) {
-    for (const ObstructionDef& def : game.level->obstructions) {
+    for (const ObstructionDef& def : game.origin.level->obstructions) {
         Obstruction obstruction{.kind = def.kind, .body = game.world.add(obstructionDef(def))};
         const auto speed = static_cast<Real>(def.speed) / 1000;
         if (def.kind == ObstructionKind::Bumper) {
@@ -157,17 +158,18 @@ void buildObstructions(GameState& game) {
 }
 
 void driveBoss(GameState& game) {
-    if (!game.livingBoss() || game.level->bossSpeed == 0) {
+    if (!game.livingBoss() || game.origin.level->bossSpeed == 0) {
         return;
     }
     kodo::BodyRef body = game.world[game.boss.body];
     const kodo::Aabb bounds = body.bounds();
     const Vec2 place = body.position();
-    const auto drift = static_cast<Real>(game.level->bossDrift) / 1000;
+    const auto drift = static_cast<Real>(game.origin.level->bossDrift) / 1000;
     // The walls limit the amplitude.
     const Real left = std::max(game.boss.home - drift, place.x - bounds.lower.x - kFieldWidth / 2);
     const Real right = std::min(game.boss.home + drift, place.x - bounds.upper.x + kFieldWidth / 2);
-    const Real way = static_cast<Real>(game.boss.way * game.level->bossSpeed) / 1000 * kTickSeconds;
+    const Real way =
+        static_cast<Real>(game.boss.way * game.origin.level->bossSpeed) / 1000 * kTickSeconds;
     const Real next = std::clamp(place.x + way, std::min(left, place.x), std::max(right, place.x));
     if (next <= left || next >= right) {
         game.boss.way = next <= left ? 1 : -1;

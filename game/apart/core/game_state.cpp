@@ -20,10 +20,10 @@ const Block* GameState::findBlock(BodyId body, std::size_t part) const {
 }
 
 bool GameState::keeps() const {
-    if (level->keep < 0) {
+    if (origin.level->keep < 0) {
         return false;
     }
-    const std::uint32_t key = keyOfFree(static_cast<std::size_t>(level->keep));
+    const std::uint32_t key = keyOfFree(static_cast<std::size_t>(origin.level->keep));
     return std::any_of(blocks.begin(), blocks.end(), [&](const Block& block) {
         const bool held = block.support == Support::Standing || block.support == Support::Moving;
         return block.key == key && held &&
@@ -44,8 +44,8 @@ Real GameState::ballSpeed() const {
     const auto broken = static_cast<Real>(counts.blocksAtStart - counts.blocksLeft);
     const Real share =
         counts.blocksAtStart > 0 ? broken / static_cast<Real>(counts.blocksAtStart) : Real(0);
-    const Real speed = static_cast<Real>(level->ballSpeed) / 1000 * (1 + kSpeedUp * share);
-    return mode == Mode::Assisted ? kAssistedSpeed * speed : speed;
+    const Real speed = static_cast<Real>(origin.level->ballSpeed) / 1000 * (1 + kSpeedUp * share);
+    return origin.mode == Mode::Assisted ? kAssistedSpeed * speed : speed;
 }
 
 void Counts::hit(std::uint32_t tick) {
@@ -86,7 +86,7 @@ const Block* GameState::nextToFall() const {
 }
 
 Real GameState::tornShare() const {
-    return std::min(field.tornSpeed / kTornSpeed, Real(1));
+    return std::min(paddle.field.tornSpeed / kTornSpeed, Real(1));
 }
 
 Real GameState::idleSeconds() const {
@@ -94,7 +94,7 @@ Real GameState::idleSeconds() const {
 }
 
 bool GameState::tears() const {
-    return field.force == Force::Pull && patience() != Patience::Calm && !serving() &&
+    return paddle.field.force == Force::Pull && patience() != Patience::Calm && !serving() &&
            nextToFall() != nullptr;
 }
 
@@ -154,23 +154,23 @@ bool GameState::isRubble(BodyId body) const {
 }
 
 BallKind GameState::ballKind() const {
-    for (const Effect& effect : effects) {
+    for (const Effect& effect : powers.effects) {
         if (const std::optional<BallKind> kind = ballKindOf(effect.power)) {
             return *kind;
         }
     }
-    return level->ball;
+    return origin.level->ball;
 }
 
 PaddleKind GameState::paddleKind() const {
     if (secondsLeft(Power::Spring) <= 0) {
-        return level->paddle;
+        return origin.level->paddle;
     }
-    return tilts(level->paddle) ? PaddleKind::Loose : PaddleKind::Recoiling;
+    return tilts(origin.level->paddle) ? PaddleKind::Loose : PaddleKind::Recoiling;
 }
 
 Real GameState::secondsLeft(Power power) const {
-    for (const Effect& effect : effects) {
+    for (const Effect& effect : powers.effects) {
         if (effect.power == power && effect.untilTick > tick) {
             return static_cast<Real>(effect.untilTick - tick) * kTickSeconds;
         }
@@ -179,8 +179,8 @@ Real GameState::secondsLeft(Power power) const {
 }
 
 Real GameState::windSpeed() const {
-    Real speed = static_cast<Real>(level->wind) / 1000;
-    for (const Effect& effect : effects) {
+    Real speed = static_cast<Real>(origin.level->wind) / 1000;
+    for (const Effect& effect : powers.effects) {
         if (effect.power == Power::Wind) {
             speed += static_cast<Real>(effect.side) * kWindSpeed;
         }

@@ -19,6 +19,13 @@
 
 namespace apart {
 
+/// With the inputs it determines a game.
+struct Origin {
+    std::shared_ptr<const Level> level;
+    std::uint32_t seed = 0;
+    Mode mode = Mode::Standard;
+};
+
 enum class Result : std::uint8_t { Playing, Won, Lost };
 inline constexpr std::array<std::string_view, 3> kResultNames = {"playing", "won", "lost"};
 
@@ -46,6 +53,13 @@ struct Counts {
     bool isDown() const { return downTick > 0; }
 };
 
+/// Force field of the paddle.
+struct PaddleField {
+    Force force = Force::None; // active one; None when the meter is empty
+    kodo::Real meter = 1;      // 0..1
+    kodo::Real tornSpeed = 0;  // m/s that the pull would have given a free nextToFall()
+};
+
 struct Paddle {
     kodo::BodyId body;
     kodo::Real speed = 0; // m/s
@@ -53,13 +67,7 @@ struct Paddle {
     Sway sway;
     std::vector<Weld> welds;       // by part of the body, from part 1
     kodo::Vec2 serveHeading{0, 1}; // unit; of the next serve
-};
-
-/// Force field of the paddle.
-struct PaddleField {
-    Force force = Force::None; // active one; None when the meter is empty
-    kodo::Real meter = 1;      // 0..1
-    kodo::Real tornSpeed = 0;  // m/s that the pull would have given a free nextToFall()
+    PaddleField field;
 };
 
 struct Boss {
@@ -74,11 +82,22 @@ struct Boss {
     std::vector<Impact> impacts; // of this tick
 };
 
+/// Timed powers.
+struct Powers {
+    std::vector<Effect> effects;
+    bool fieldsStale = false; // within a tick: the force fields of `effects` must be set again
+};
+
+/// What holds the blocks of buildings, and how they fall.
+struct Buildings {
+    std::vector<Link> links;
+    std::vector<Carrier> carriers;
+    Collapse collapse;
+};
+
 /// State of a Game. The rules (game_rules.hpp) change it; this class answers questions about it.
 struct GameState {
-    std::shared_ptr<const Level> level;
-    std::uint32_t seed = 0;
-    Mode mode = Mode::Standard;
+    Origin origin;
     std::uint32_t tick = 0;
     Result result = Result::Playing;
     Counts counts;
@@ -91,15 +110,11 @@ struct GameState {
     std::vector<Shard> shards;
     std::vector<Part> parts;
     std::vector<Obstruction> obstructions;
-    std::vector<Link> links;
     std::vector<Water> waters;
-    std::vector<Carrier> carriers;
+    Buildings buildings;
     Boss boss;
-    Collapse collapse;
 
-    PaddleField field;
-    std::vector<Effect> effects;
-    bool fieldsStale = false; // within a tick: the force fields of `effects` must be set again
+    Powers powers;
     ProgressClock clock;
     Ledger ledger;
     std::vector<Event> events; // of the last tick
@@ -110,7 +125,7 @@ struct GameState {
     PaddleKind paddleKind() const;
     kodo::Real windSpeed() const; // m/s, to the right; level and effects together
     Patience patience() const { return clock.patience(); }
-    kodo::Real idleSeconds() const;
+    kodo::Real idleSeconds() const;  // of the progress clock, which runs faster at the end
     const Block* nextToFall() const; // its mount fails next; nullptr: none
     bool tears() const;              // a pull acts on nextToFall()
     kodo::Real tornShare() const;    // 0..1, progress of that pull
@@ -120,15 +135,18 @@ struct GameState {
     Stuff stuffOf(kodo::BodyId body, std::size_t part) const;
     bool isRubble(kodo::BodyId body) const;
     bool canCarry(kodo::BodyId body) const; // dynamic bar of a motor or block
+    /// First wall, block or obstruction on the straight path of a ball along `way` (m).
     std::optional<kodo::QueryHit> ahead(kodo::Vec2 from, kodo::Vec2 way) const;
-    bool meetsBlock(kodo::Vec2 from, kodo::Vec2 way) const;
+    bool meetsBlock(kodo::Vec2 from, kodo::Vec2 way) const; // ahead() is breakable
+    /// Length (m) of a ball's path, with its bounces off what stands still, from a point along a
+    /// unit heading to the first block that counts; none if it meets none in six bounces.
     std::optional<kodo::Real> wayToBlock(kodo::Vec2 from, kodo::Vec2 heading) const;
     bool isCarried(const Block& block) const; // at its place on what carries it
     bool keeps() const;                       // Level::keep has not fallen; false without one
     bool serving() const;
     bool armed() const;           // a ball in play is not hollow
     bool falls() const;           // a block has fallen, and not landed yet
-    kodo::Real ballSpeed() const; // m/s
+    kodo::Real ballSpeed() const; // m/s; target of the speed servo
     std::uint64_t hash() const;
 };
 

@@ -40,7 +40,7 @@ Real Water::floor() const {
 }
 
 void fillWaters(GameState& game) {
-    for (const WaterDef& def : game.level->waters) {
+    for (const WaterDef& def : game.origin.level->waters) {
         const auto metres = [](std::int32_t milli) { return static_cast<Real>(milli) / 1000; };
         const Real half = metres(def.width) / 2;
         const Vec2 top{metres(def.x), metres(def.y)};
@@ -100,7 +100,7 @@ void openDams(GameState& game) {
         const std::uint32_t key = broke != nullptr ? broke->key : let->key;
         const Vec2 place = broke != nullptr ? broke->center : let->point;
         for (Water& water : game.waters) {
-            if (!water.open && water.dam >= 0 && water.dam == kindOfKey(*game.level, key)) {
+            if (!water.open && water.dam >= 0 && water.dam == kindOfKey(*game.origin.level, key)) {
                 water.open = true;
                 water.breach = place;
                 game.events.emplace_back(Breached{place});

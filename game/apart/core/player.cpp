@@ -27,7 +27,7 @@ double outlook(const Game& game) {
     for (const Block& block : game.blocks()) {
         score += block.due;
     }
-    return game.keeps() ? score + kSparedPoints : score;
+    return game.state().keeps() ? score + kSparedPoints : score;
 }
 
 bool isNear(const std::optional<Arrival>& arrival) {

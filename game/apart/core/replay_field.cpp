@@ -182,13 +182,13 @@ std::int64_t valueOfState(const Game& game, Field field) {
     case Field::Effects:
         return static_cast<std::int64_t>(game.effects().size());
     case Field::Wind:
-        return inThousandths(game.windSpeed());
+        return inThousandths(game.state().windSpeed());
     case Field::LargestFall:
         return game.collapse().largest;
     case Field::BallKind:
-        return static_cast<std::int64_t>(game.ballKind());
+        return static_cast<std::int64_t>(game.state().ballKind());
     case Field::Patience:
-        return static_cast<std::int64_t>(game.patience());
+        return static_cast<std::int64_t>(game.state().patience());
     case Field::Result:
         return static_cast<std::int64_t>(game.result());
     case Field::PowerTicks:

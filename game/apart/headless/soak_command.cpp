@@ -119,7 +119,8 @@ SoakStatistics soak(const Match& match, std::uint64_t mostTicks,
         game.tick(input);
         statistics.gameSeconds += cpuSeconds() - start;
         observer.observe(game);
-        statistics.glowTicks += game.patience() != Patience::Calm && !game.serving() ? 1 : 0;
+        statistics.glowTicks +=
+            game.state().patience() != Patience::Calm && !game.serving() ? 1 : 0;
         lastTicks += game.blocksLeft() <= kLastBlocks ? 1 : 0;
         for (const Event& event : game.events()) {
             const auto* let = std::get_if<LetGo>(&event);

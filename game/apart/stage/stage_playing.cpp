@@ -9,7 +9,7 @@ void Stage::takePlaying(const Signals& signals) {
     const Real paddleX = game.world()[game.paddle()].position().x;
     inputMapper_.take(signals, paddleX, static_cast<Real>(settings().mouse / 100.0));
     const bool over = game.result() != Result::Playing;
-    const bool clickLaunches = game.serving() || game.secondsLeft(Power::Spring) > 0;
+    const bool clickLaunches = game.serving() || game.state().secondsLeft(Power::Spring) > 0;
     const auto serve = game.serving() ? std::optional(game.serveHeading()) : std::nullopt;
     if (signals.clicked && clickLaunches) {
         inputMapper_.launch(signals, serve);

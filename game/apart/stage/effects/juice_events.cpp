@@ -218,7 +218,7 @@ void Juice::onEvent(const Game& game, const Breached& breach) {
 }
 
 void Juice::onEvent(const Game& game, const PatienceChanged& change) {
-    const Block* next = game.nextToFall();
+    const Block* next = game.state().nextToFall();
     if (change.patience == Patience::Glowing && next != nullptr) {
         const kodo::BodyView body = game.world()[next->body];
         const Vec2 middle = body.massFrame() * body.part(next->part).convex.middle;

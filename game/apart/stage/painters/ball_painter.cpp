@@ -97,7 +97,7 @@ void paintTrail(Canvas& canvas, const Moment& moment, const Ball& ball, Vec2 now
 void paintBall(Canvas& canvas, const Moment& moment, const Ball& ball) {
     const kodo::Transform place = moment.placeOf(ball.body);
     const Vec2 center = place.position;
-    const BallKind kind = moment.game.ballKind();
+    const BallKind kind = moment.game.state().ballKind();
     const Squash squash = squashOf(moment, ball, center);
     canvas.setGlow(true);
     canvas.disc(center, Real(3.2) * kBallRadius, {255, 214, 150, 80}, {255, 214, 150, 0});

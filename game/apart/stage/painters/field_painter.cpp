@@ -33,7 +33,7 @@ Real scaleOf(const Moment& moment, Vec2 middle) {
 
 /// Brightness of a breakable block after a long time without damage.
 Real glowOf(const Moment& moment, const Block& block) {
-    if (moment.game.patience() == Patience::Calm || !block.kind.breakable()) {
+    if (moment.game.state().patience() == Patience::Calm || !block.kind.breakable()) {
         return 0;
     }
     return Real(0.5) + Real(0.5) * std::sin(Real(0.06) * moment.time());
@@ -42,13 +42,13 @@ Real glowOf(const Moment& moment, const Block& block) {
 /// Shakes the mount that gives way next. The amplitude grows from "can be pulled off" to "about to
 /// fall", and with the progress of tearing.
 Vec2 shakeOf(const Moment& moment, const Block& block) {
-    const Block* next = moment.game.nextToFall();
-    const Patience patience = moment.game.patience();
+    const Block* next = moment.game.state().nextToFall();
+    const Patience patience = moment.game.state().patience();
     if (patience == Patience::Calm || next == nullptr || next->key != block.key) {
         return {};
     }
     const Real size = patience == Patience::Glowing ? Real(0.025) : Real(0.05);
-    return (size + Real(0.05) * moment.game.tornShare()) *
+    return (size + Real(0.05) * moment.game.state().tornShare()) *
            Vec2{std::sin(Real(1.1) * moment.time()), std::sin(Real(1.7) * moment.time())};
 }
 

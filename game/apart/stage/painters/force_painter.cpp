@@ -32,7 +32,7 @@ float swell(Real t) {
 
 /// Paints streaks that move at the wind speed.
 void paintWind(Canvas& canvas, const Moment& moment) {
-    const Real speed = moment.game.windSpeed();
+    const Real speed = moment.game.state().windSpeed();
     if (speed == 0) {
         return;
     }
@@ -122,14 +122,14 @@ void paintPaddleField(Canvas& canvas, const Moment& moment) {
 /// Paints beads from the block whose mount is being torn to the paddle. They brighten with the
 /// progress of tearing.
 void paintTear(Canvas& canvas, const Moment& moment) {
-    if (!moment.game.tears()) {
+    if (!moment.game.state().tears()) {
         return;
     }
-    const Block* next = moment.game.nextToFall();
+    const Block* next = moment.game.state().nextToFall();
     const kodo::BodyView body = moment.game.world()[next->body];
     const Vec2 from = moment.placeOf(next->body) * body.part(next->part).convex.middle;
     const Vec2 to = moment.placeOf(moment.game.paddle()).position;
-    const auto torn = static_cast<float>(moment.game.tornShare());
+    const auto torn = static_cast<float>(moment.game.state().tornShare());
     constexpr int kBeads = 14;
     canvas.setGlow(true);
     for (int i = 0; i < kBeads; ++i) {

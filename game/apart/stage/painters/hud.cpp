@@ -125,11 +125,11 @@ Real paintPowers(Canvas& canvas, const Game& game) {
     constexpr std::size_t kMost = 6; // limited by the height of the panel
     std::vector<Power> powers = powersOf(game.level());
     std::stable_partition(powers.begin(), powers.end(),
-                          [&](Power power) { return game.secondsLeft(power) > 0; });
+                          [&](Power power) { return game.state().secondsLeft(power) > 0; });
     powers.resize(std::min(powers.size(), kMost));
     Real y = Real(5.35);
     for (const Power power : powers) {
-        const Real left = game.secondsLeft(power);
+        const Real left = game.state().secondsLeft(power);
         const Color color = canvas.palette().of(power);
         const Vec2 middle{kPanelLeft + Real(0.3), y + Real(0.13)};
         paintMood(canvas, moodOf(power), middle,

@@ -59,7 +59,7 @@ void paintEyes(Canvas& canvas, const Moment& moment, const kodo::Transform& plac
 
 /// Paints the powers that act on the paddle.
 void paintWorking(Canvas& canvas, const Moment& moment, const kodo::Transform& place) {
-    if (moment.game.secondsLeft(Power::Magnet) > 0) {
+    if (moment.game.state().secondsLeft(Power::Magnet) > 0) {
         const Real beat = Real(0.5) + Real(0.5) * std::sin(Real(0.1) * moment.time());
         canvas.setGlow(true);
         canvas.disc(place.position, Real(3.2),
@@ -67,7 +67,7 @@ void paintWorking(Canvas& canvas, const Moment& moment, const kodo::Transform& p
                     faded(canvas.palette().of(Power::Magnet), 0));
         canvas.setGlow(false);
     }
-    if (moment.game.secondsLeft(Power::Spring) > 0) {
+    if (moment.game.state().secondsLeft(Power::Spring) > 0) {
         for (const Real side : {Real(-1), Real(1)}) {
             const kodo::Transform foot{place * Vec2{side, Real(-0.6)}, place.rotation};
             paintMark(canvas, Power::Spring, foot, Real(0.25), canvas.palette().of(Power::Spring));

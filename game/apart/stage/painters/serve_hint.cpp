@@ -68,7 +68,7 @@ std::vector<Aabb> hintBoxes(const Canvas& canvas, const HintGroup& group) {
 /// Where a point of a body (m, world) was at the start of the level. Texts then stay where they are
 /// while machines run.
 Vec2 atStart(const Game& game, kodo::BodyId body, Vec2 point) {
-    const Block* block = game.findBlock(body);
+    const Block* block = game.state().findBlock(body);
     const bool moves = block != nullptr &&
                        (block->support == Support::Standing || block->support == Support::Moving);
     return moves ? block->home * toLocal(game.world()[body].transform(), point) : point;

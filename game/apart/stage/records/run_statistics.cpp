@@ -32,7 +32,7 @@ void RunStatistics::update(const Game& game) {
     cleared = game.blocksAtStart() - game.blocksLeft();
     largestFall = game.collapse().largest;
     if (game.result() == Result::Playing || game.ticks() == ticks + 1) {
-        keptAtEnd = game.keeps();
+        keptAtEnd = game.state().keeps();
     }
     if (game.result() == Result::Playing) {
         ticks = game.ticks();

@@ -33,7 +33,7 @@ struct RunStatistics {
     int cleared = 0;     // blocks that broke or fell
     int largestFall = 0; // most blocks of one collapse
     bool lifeLost = false;
-    bool keptAtEnd = false;  // Game::keeps() in the last tick of the game
+    bool keptAtEnd = false;  // GameState::keeps() in the last tick of the game
     std::uint32_t ticks = 0; // until the end of the game
 
     /// Call after each tick of the game.

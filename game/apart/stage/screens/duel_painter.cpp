@@ -118,7 +118,7 @@ void paintActing(Canvas& canvas, const Panel& at, const Game& game) {
         paintMark(canvas, effect.power, {place, {}}, Real(0.16), color);
         const Vec2 corner = place - Vec2{Real(0.3), Real(0.42)};
         paintBar(canvas, {corner, corner + Vec2{Real(0.6), Real(0.08)}},
-                 game.secondsLeft(effect.power) / kLongest, color);
+                 game.state().secondsLeft(effect.power) / kLongest, color);
         place.x += Real(0.95);
     }
 }
