@@ -43,15 +43,11 @@ void PartBounds::number(const Bodies& bodies) {
     resizeByBody(count_, bodies);
     for (std::size_t body = 0; body < bodies.size(); ++body) {
         firstPart_[body] = static_cast<std::uint32_t>(parts_.size());
-        room_[body] = count_[body] = 0;
-        if (!bodies.ids.aliveAt(body)) {
-            continue;
+        const std::size_t parts = bodies.ids.aliveAt(body) ? bodies.geometry(body).parts.size() : 0;
+        room_[body] = count_[body] = static_cast<std::uint32_t>(parts);
+        for (std::uint16_t part = 0; part < parts; ++part) {
+            parts_.push_back({static_cast<std::uint32_t>(body), part});
         }
-        std::uint16_t number = 0;
-        while (number < bodies.geometry(body).parts.size()) {
-            parts_.push_back({static_cast<std::uint32_t>(body), number++});
-        }
-        room_[body] = count_[body] = number;
     }
     usedCount_ = parts_.size();
     const std::size_t room = parts_.capacity(); // so that the next body moves no array

@@ -86,13 +86,13 @@ std::optional<Problem> checkLinearMotor(const Joint& joint, Real unit) {
 }
 
 std::optional<Problem> checkKind(const RevoluteJoint& joint, Real) {
-    if (joint.ratchet != 0 && (!joint.limits || std::abs(joint.ratchet) < Real(1e-6))) {
-        return Problem{"ratchet", "needs limits, one of which follows the angle, and teeth of at "
-                                  "least 1e-6 rad"};
+    const Real tooth = std::abs(joint.ratchet);
+    if (tooth != 0 && !(joint.limits && tooth >= Real(1e-6) && tooth <= kAngle)) {
+        return Problem{"ratchet", "needs limits, one of which follows the angle, and teeth of "
+                                  "1e-6 to 1e4 rad"};
     }
     return firstOf({checkReference(joint.reference), checkRotaryMotor(joint), checkSpring(joint),
                     checkRange("target", joint.target, -kAngle, kAngle, "rad"),
-                    checkRange("ratchet", joint.ratchet, -kAngle, kAngle, "rad"),
                     checkLimits(joint.limits, -kAngle, kAngle, "rad")});
 }
 

@@ -99,7 +99,7 @@ void ContactBlocks::freeLanes(const Bodies& bodies) {
             }
         }
     }
-    // Backwards, so that the blocks of single contacts are assigned in order again.
+    // Backwards, so that a block of a single contact comes first among those that are open.
     const std::span<const std::uint32_t> order = passOrder_.blocks();
     for (std::size_t k = order.size(); k-- > 0;) {
         const std::uint32_t i = order[k];
@@ -132,8 +132,11 @@ void ContactBlocks::empty(std::uint32_t row) {
     const bool wasFull = state.used == 0xff;
     state.used &= static_cast<std::uint8_t>(~laneMask(row));
     if (BlockBins::isSingle(state.bin) ? state.used == 0 : wasFull) {
-        state.nextOpen = std::exchange(openOf(state.bin, state.partition),
-                                       static_cast<std::uint32_t>(blockOf(row)));
+        std::uint32_t* open = &openOf(state.bin, state.partition);
+        while (BlockBins::isSingle(state.bin) && *open < blockOf(row)) { // in order again
+            open = &states_[*open].nextOpen;
+        }
+        state.nextOpen = std::exchange(*open, static_cast<std::uint32_t>(blockOf(row)));
     }
     orderStale_ = orderStale_ || state.used == 0;
     --rows_[BlockBins::levelOf(state.bin)];

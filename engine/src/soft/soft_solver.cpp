@@ -276,7 +276,8 @@ void SoftSolver::refreshManifolds(Substeps& run, bool first) {
     }
     newcomers_.clear();
     if (store.lanes().uncoloured() > 0) { // their lanes depend on one another
-        for (const std::uint32_t slot : run.contactSet.live()) {
+        for (std::size_t k = run.contactSet.live().size(); k-- > 0;) { // backwards, as freeLanes()
+            const std::uint32_t slot = run.contactSet.live()[k];
             const ContactRow& row = store.summaries()[slot].row;
             if (row.index != ContactRow::kNone && row.colour == ContactRow::kNoColour) {
                 store.lanes().drop(store.entry(slot));
