@@ -93,13 +93,13 @@ TEST(KeyScreen, TheNextKeyIsBoundAndShownInPrompts) {
     EXPECT_TRUE(rig.picture().says("press it ..."));
     rig.type(keyPress("P"), {Command::Pause});
     EXPECT_TRUE(rig.picture().says("P is in use: pause"));
-    EXPECT_EQ(rig.stage.profile().bindings, Bindings{});
+    EXPECT_EQ(rig.stage.records().profile().bindings, Bindings{});
     rig.type(keyPress("enter"), {Command::Confirm});
     rig.type(keyPress("M"), {Command::Mute});
-    EXPECT_FALSE(rig.stage.profile().muted) << "the key does nothing else meanwhile";
+    EXPECT_FALSE(rig.stage.records().profile().muted) << "the key does nothing else meanwhile";
     rig.type(keyPress("enter"), {Command::Confirm});
     rig.type(keyPress("X"));
-    EXPECT_EQ(rig.stage.profile().bindings.at(Act::Serve, 0), *keyNamed("X"));
+    EXPECT_EQ(rig.stage.records().profile().bindings.at(Act::Serve, 0), *keyNamed("X"));
     rig.press(Command::Back);
     EXPECT_EQ(rig.stage.screen(), Screen::Options);
     rig.press(Command::Back);
@@ -117,23 +117,23 @@ TEST(KeyScreen, EscapeLeavesAKeyAsItIsAndDeleteRemovesIt) {
     rig.press(Command::Confirm);
     rig.type(keyPress("escape"), {Command::Back});
     EXPECT_EQ(rig.stage.screen(), Screen::Keys);
-    EXPECT_EQ(rig.stage.profile().bindings, Bindings{});
+    EXPECT_EQ(rig.stage.records().profile().bindings, Bindings{});
     rig.type(keyPress("delete"));
-    EXPECT_EQ(rig.stage.profile().bindings.at(Act::Left, 0), kNoKey);
-    EXPECT_EQ(rig.stage.profile().bindings.prompt(Act::Left), "A");
+    EXPECT_EQ(rig.stage.records().profile().bindings.at(Act::Left, 0), kNoKey);
+    EXPECT_EQ(rig.stage.records().profile().bindings.prompt(Act::Left), "A");
     for (std::size_t i = 0; i < KeyScreen::kResetRow; ++i) {
         rig.press(Command::Down);
     }
     rig.press(Command::Confirm);
-    EXPECT_NE(rig.stage.profile().bindings, Bindings{}) << "it asks once";
+    EXPECT_NE(rig.stage.records().profile().bindings, Bindings{}) << "it asks once";
     EXPECT_TRUE(rig.picture().says("once more to reset the keys and buttons"));
     rig.press(Command::Up); // another row: the question is gone
     EXPECT_FALSE(rig.picture().says("once more"));
     rig.press(Command::Down);
     rig.press(Command::Confirm);
-    EXPECT_NE(rig.stage.profile().bindings, Bindings{});
+    EXPECT_NE(rig.stage.records().profile().bindings, Bindings{});
     rig.press(Command::Confirm);
-    EXPECT_EQ(rig.stage.profile().bindings, Bindings{});
+    EXPECT_EQ(rig.stage.records().profile().bindings, Bindings{});
     rig.press(Command::Down);
     rig.press(Command::Confirm);
     EXPECT_EQ(rig.stage.screen(), Screen::Options);
@@ -144,7 +144,7 @@ TEST(KeyScreen, AButtonIsBoundByMouse) {
     const KeyScreen table;
     rig.click(table.cell(4, Bindings::kPadColumn).center());
     rig.type({true, 12});
-    EXPECT_EQ(rig.stage.profile().bindings.at(Act::Serve, Bindings::kPadColumn), 12);
+    EXPECT_EQ(rig.stage.records().profile().bindings.at(Act::Serve, Bindings::kPadColumn), 12);
     rig.click(table.cell(0, Bindings::kPadColumn).center());
     EXPECT_TRUE(rig.picture().says("the stick moves the paddle"));
     rig.click(table.cell(KeyScreen::kBackRow, 0).center());

@@ -152,7 +152,7 @@ TEST(Collapse, IsSlowedByTheSettingOfSlowMotion) {
         def.profile.settings.slow = slow;
         StageRig rig(def);
         int frames = 0;
-        while (frames < 6000 && rig.stage.game().collapse().largest < 15) {
+        while (frames < 6000 && rig.stage.session().game().collapse().largest < 15) {
             rig.frame();
             ++frames;
         }

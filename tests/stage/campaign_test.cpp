@@ -198,17 +198,17 @@ TEST(Campaign, ABossAsksForAMedalAndIsNamedBeforeItsFirstGame) {
     rig.press(Command::Confirm);
     ASSERT_EQ(rig.stage.screen(), Screen::Playing);
     playToTheEnd(rig);
-    ASSERT_EQ(rig.stage.game().result(), Result::Won);
+    ASSERT_EQ(rig.stage.session().game().result(), Result::Won);
     rig.press(Command::Confirm); // next
     ASSERT_EQ(rig.stage.screen(), Screen::BossCard);
     EXPECT_TRUE(rig.picture().says("Three blocks"));
     EXPECT_TRUE(rig.picture().says("THE BOSS"));
-    const std::uint32_t before = rig.stage.game().ticks();
+    const std::uint32_t before = rig.stage.session().game().ticks();
     rig.frames(30);
-    EXPECT_EQ(rig.stage.game().ticks(), before) << "the game waits";
+    EXPECT_EQ(rig.stage.session().game().ticks(), before) << "the game waits";
     rig.press(Command::Launch);
     EXPECT_EQ(rig.stage.screen(), Screen::Playing);
-    EXPECT_TRUE(rig.stage.game().serving());
+    EXPECT_TRUE(rig.stage.session().game().serving());
 }
 
 TEST(Campaign, ABossWithAResultIsNotNamedAgain) {
@@ -217,7 +217,7 @@ TEST(Campaign, ABossWithAResultIsNotNamedAgain) {
     rig.press(Command::Right);
     rig.press(Command::Confirm);
     EXPECT_EQ(rig.stage.screen(), Screen::Playing);
-    EXPECT_EQ(rig.stage.game().level().name, withBoss(true).levels[1]->name);
+    EXPECT_EQ(rig.stage.session().game().level().name, withBoss(true).levels[1]->name);
 }
 
 TEST(Campaign, TheEndingFollowsTheLastBossAndTellsWhatIsLeft) {
@@ -226,7 +226,7 @@ TEST(Campaign, TheEndingFollowsTheLastBossAndTellsWhatIsLeft) {
     rig.press(Command::Right);
     rig.press(Command::Confirm);
     playToTheEnd(rig);
-    ASSERT_EQ(rig.stage.game().result(), Result::Won);
+    ASSERT_EQ(rig.stage.session().game().result(), Result::Won);
     rig.press(Command::Confirm);
     ASSERT_EQ(rig.stage.screen(), Screen::Ending);
     EXPECT_TRUE(rig.picture().says("Three blocks: "));
@@ -243,7 +243,7 @@ TEST(Campaign, AClosedNextLevelIsNotOfferedAfterAVictory) {
     StageRig rig(std::move(def));
     rig.clickItem(Action::Play);
     playToTheEnd(rig);
-    ASSERT_EQ(rig.stage.game().result(), Result::Won);
+    ASSERT_EQ(rig.stage.session().game().result(), Result::Won);
     EXPECT_EQ(rig.stage.menu().items()[0].action, Action::Levels);
     rig.press(Command::Confirm);
     EXPECT_EQ(rig.stage.screen(), Screen::Levels);
@@ -257,7 +257,7 @@ TEST(Campaign, TheOptionOpensAllLevels) {
     }
     rig.clickItem(Action::Dial);
     rig.press(Command::Right);
-    EXPECT_EQ(rig.stage.settings().openLevels, 1);
+    EXPECT_EQ(rig.stage.records().profile().settings.openLevels, 1);
     rig.press(Command::Back);
     rig.clickItem(Action::Levels);
     EXPECT_TRUE(rig.stage.levelMap().stops()[1].open());

@@ -334,7 +334,7 @@ TEST(Duel, LeadsFromTheTitleOverTheMapAndBackAndWritesNothing) {
     rig.press(Command::Confirm);
     ASSERT_EQ(rig.stage.screen(), Screen::Duel);
     EXPECT_FALSE(rig.stage.wantsPointer());
-    const Profile before = rig.stage.profile();
+    const Profile before = rig.stage.records().profile();
     const Duel* duel = rig.stage.duel();
     for (int i = 0; i < 120 * 300 && duel->phase() != Duel::Phase::Over; ++i) {
         Signals signals;
@@ -363,7 +363,7 @@ TEST(Duel, LeadsFromTheTitleOverTheMapAndBackAndWritesNothing) {
     rig.press(Command::Up);
     rig.press(Command::Confirm);
     EXPECT_EQ(rig.stage.screen(), Screen::Title);
-    EXPECT_EQ(rig.stage.profile(), before);
+    EXPECT_EQ(rig.stage.records().profile(), before);
     EXPECT_EQ(replays, 0);
     for (const Profile& profile : kept) {
         EXPECT_EQ(profile, before);

@@ -172,20 +172,20 @@ TEST_F(EditorStage, ATryBeginsAtThePointerAndLeadsBack) {
     mouse({5, 12}, false, false);
     key("T");
     ASSERT_EQ(rig_->stage.screen(), Screen::Playing);
-    EXPECT_FALSE(rig_->stage.game().serving());
-    const Game& game = rig_->stage.game();
+    EXPECT_FALSE(rig_->stage.session().game().serving());
+    const Game& game = rig_->stage.session().game();
     EXPECT_NEAR(game.world()[game.balls()[0].body].position().x, 5, 0.1);
     rig_->press(Command::Back);
     EXPECT_EQ(rig_->stage.screen(), Screen::Editor);
     key("T");
     rig_->press(Command::Restart);
     EXPECT_EQ(rig_->stage.screen(), Screen::Playing);
-    EXPECT_LT(rig_->stage.game().ticks(), 5u);
+    EXPECT_LT(rig_->stage.session().game().ticks(), 5u);
     for (int i = 0; i < 60 * 300 && rig_->stage.screen() == Screen::Playing; ++i) {
         rig_->press(Command::Launch); // the paddle stays: lost
     }
     EXPECT_EQ(rig_->stage.screen(), Screen::Editor);
-    EXPECT_TRUE(rig_->stage.profile().best[0].empty());
+    EXPECT_TRUE(rig_->stage.records().profile().best[0].empty());
 }
 
 TEST_F(EditorStage, ASavedLevelIsReadByTheGameAndStandsInTheList) {
@@ -234,7 +234,7 @@ TEST_F(EditorStage, AFileIsEditedWhereverItIs) {
 TEST(ShareGame, TheResultsCopyALinkThatPlaysTheGame) {
     std::vector<std::string> copied;
     StageDef def = StageRig::playing();
-    def.copy = [&](const std::string& text) { copied.push_back(text); };
+    def.sharing.copy = [&](const std::string& text) { copied.push_back(text); };
     StageRig rig(std::move(def));
     playToTheEnd(rig);
     ASSERT_EQ(rig.stage.screen(), Screen::Over);
@@ -249,7 +249,7 @@ TEST(ShareGame, TheResultsCopyALinkThatPlaysTheGame) {
     while (!playback.done()) {
         playback.tick();
     }
-    EXPECT_EQ(playback.game().score(), rig.stage.game().score());
+    EXPECT_EQ(playback.game().score(), rig.stage.session().game().score());
     EXPECT_FALSE(playback.divergence());
     EXPECT_TRUE(rig.picture().says("A link to the game is copied."));
 }
@@ -278,13 +278,13 @@ TEST(ShareGame, ARivalIsTheGhostOfItsLevelAlone) {
     StageDef def = StageRig::playing();
     def.rival = recordedGame(def.levels[0], 5);
     StageRig rig(def);
-    ASSERT_TRUE(rig.stage.ghost());
-    EXPECT_EQ(rig.stage.ghost()->game().seed(), 5u);
+    ASSERT_TRUE(rig.stage.session().ghost());
+    EXPECT_EQ(rig.stage.session().ghost()->game().seed(), 5u);
     def.firstLevel = 1;
-    EXPECT_FALSE(StageRig(def).stage.ghost());
+    EXPECT_FALSE(StageRig(def).stage.session().ghost());
     def.firstLevel = 0;
     def.rival->levelDigest = 1; // of another content
-    EXPECT_FALSE(StageRig(def).stage.ghost());
+    EXPECT_FALSE(StageRig(def).stage.session().ghost());
 }
 
 TEST(DailyLine, SaysDayPointsLevelAndTime) {

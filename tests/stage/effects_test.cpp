@@ -23,7 +23,7 @@ StageDef playedWith(int percent) {
 }
 
 void playUntil(StageRig& rig, std::uint32_t tick) {
-    while (rig.stage.game().ticks() < tick) {
+    while (rig.stage.session().game().ticks() < tick) {
         rig.frame({}, 1.0 / kTicksPerSecond); // at most one tick, none during a hit-freeze
         rig.picture();
     }
@@ -34,17 +34,17 @@ void playUntil(StageRig& rig, std::uint32_t tick) {
 TEST(Effects, DoNotAffectTheSimulation) {
     StageRig plain(playedWith(0));
     playUntil(plain, 900);
-    const std::uint64_t expected = plain.stage.game().stateHash();
+    const std::uint64_t expected = plain.stage.session().game().stateHash();
     StageRig rich(playedWith(100));
     playUntil(rich, 900);
-    ASSERT_EQ(rich.stage.game().ticks(), 900u);
-    EXPECT_EQ(rich.stage.game().stateHash(), expected);
+    ASSERT_EQ(rich.stage.session().game().ticks(), 900u);
+    EXPECT_EQ(rich.stage.session().game().stateHash(), expected);
     for (const Dial& dial : kDials) {
         StageDef def = playedWith(0);
         def.profile.settings.*dial.value = dial.most;
         StageRig one(std::move(def));
         playUntil(one, 900);
-        EXPECT_EQ(one.stage.game().stateHash(), expected) << dial.key;
+        EXPECT_EQ(one.stage.session().game().stateHash(), expected) << dial.key;
     }
 }
 
@@ -132,7 +132,7 @@ TEST(Effects, TheFieldOfThePaddleStaysBetweenTheWalls) {
     Signals pull;
     pull.pullHeld = true;
     rig.frame(pull);
-    ASSERT_EQ(rig.stage.game().force(), Force::Pull);
+    ASSERT_EQ(rig.stage.session().game().force(), Force::Pull);
     EXPECT_GT(countPoints(0, layout::kRight), before);
     EXPECT_EQ(countPoints(layout::kRight, layout::kRight + 100), 0); // the wall's edge line lies
                                                                      // exactly there
@@ -144,7 +144,7 @@ TEST(Effects, AHardImpactFreezesThePictureBriefly) {
         def.profile.settings.freeze = freeze;
         StageRig rig(std::move(def));
         int frames = 0;
-        for (; rig.stage.game().ticks() < 1200; ++frames) {
+        for (; rig.stage.session().game().ticks() < 1200; ++frames) {
             rig.frame();
         }
         return frames;

@@ -13,7 +13,7 @@ TEST(Endings, WhatEndsAGameWithPointsAsksOnceInPlayAndInThePauseMenu) {
     def.startAtOnce = true;
     StageRig rig(std::move(def));
     makePoints(rig);
-    const std::uint32_t ticks = rig.stage.game().ticks();
+    const std::uint32_t ticks = rig.stage.session().game().ticks();
     rig.press(Command::Restart);
     EXPECT_TRUE(rig.picture().says("once more to start again"));
     rig.press(Command::Pause);
@@ -25,7 +25,7 @@ TEST(Endings, WhatEndsAGameWithPointsAsksOnceInPlayAndInThePauseMenu) {
           std::pair{Action::Levels, "once more to leave the game"}}) {
         rig.clickItem(action);
         EXPECT_EQ(rig.stage.screen(), Screen::Paused);
-        EXPECT_GE(rig.stage.game().ticks(), ticks);
+        EXPECT_GE(rig.stage.session().game().ticks(), ticks);
         EXPECT_TRUE(rig.picture().says(question));
     }
     rig.press(Command::Up); // another item: its question is gone
@@ -34,7 +34,7 @@ TEST(Endings, WhatEndsAGameWithPointsAsksOnceInPlayAndInThePauseMenu) {
     EXPECT_EQ(rig.stage.screen(), Screen::Paused) << "another question";
     rig.clickItem(Action::Restart);
     EXPECT_EQ(rig.stage.screen(), Screen::Playing) << "the key and the item ask the same";
-    EXPECT_LE(rig.stage.game().ticks(), 3u);
+    EXPECT_LE(rig.stage.session().game().ticks(), 3u);
     makePoints(rig);
     rig.press(Command::Pause);
     rig.clickItem(Action::ToTitle);
@@ -73,7 +73,7 @@ TEST(Endings, TheQuestionInTheFirstLevelOfARunSaysThatItHasNoScore) {
     makePoints(rig);
     expectReason(true);
     playToTheEnd(rig);
-    ASSERT_EQ(rig.stage.game().result(), Result::Won);
+    ASSERT_EQ(rig.stage.session().game().result(), Result::Won);
     rig.press(Command::Next);
     expectReason(false);
     rig.press(Command::Pause);
@@ -87,13 +87,14 @@ TEST(Endings, TheQuestionInTheFirstLevelOfARunSaysThatItHasNoScore) {
 TEST(Endings, ClosingAndRestartingEnterAResultThatIsNotEnteredYet) {
     for (const bool closes : {true, false}) {
         StageRig rig(StageRig::playing());
-        for (int i = 0; i < 120 * 300 && rig.stage.game().result() == Result::Playing; ++i) {
+        for (int i = 0; i < 120 * 300 && rig.stage.session().game().result() == Result::Playing;
+             ++i) {
             makeMove(rig);
         }
-        ASSERT_EQ(rig.stage.game().result(), Result::Won);
+        ASSERT_EQ(rig.stage.session().game().result(), Result::Won);
         ASSERT_EQ(rig.stage.screen(), Screen::Playing);
-        const std::string name = rig.stage.game().level().name;
-        const std::int32_t score = rig.stage.game().score();
+        const std::string name = rig.stage.session().game().level().name;
+        const std::int32_t score = rig.stage.session().game().score();
         if (closes) {
             Signals signals;
             signals.closed = true;
@@ -101,10 +102,10 @@ TEST(Endings, ClosingAndRestartingEnterAResultThatIsNotEnteredYet) {
             EXPECT_TRUE(rig.stage.wantsToQuit());
         } else {
             rig.press(Command::Restart);
-            EXPECT_EQ(rig.stage.game().result(), Result::Playing);
+            EXPECT_EQ(rig.stage.session().game().result(), Result::Playing);
         }
-        EXPECT_EQ(rig.stage.profile().bestOf(Mode::Standard, name).score, score);
-        EXPECT_EQ(rig.stage.profile().totals[0].games, 1);
+        EXPECT_EQ(rig.stage.records().profile().bestOf(Mode::Standard, name).score, score);
+        EXPECT_EQ(rig.stage.records().profile().totals[0].games, 1);
     }
 }
 

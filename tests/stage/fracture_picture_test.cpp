@@ -164,7 +164,7 @@ TEST(Labels, ArePaintedBelowShards) {
         const auto label = std::find_if(strokes.begin(), strokes.end(), [](const Stroke& stroke) {
             return stroke.text.starts_with("+");
         });
-        const Game& game = rig.stage.game();
+        const Game& game = rig.stage.session().game();
         if (label == strokes.end() || game.shards().empty()) {
             continue;
         }
@@ -218,13 +218,13 @@ TEST(Freeze, LastsLongerAfterAHarderImpact) {
         def.profile.settings.slow = 0;
         StageRig rig(std::move(def));
         int still = 0; // frames without a tick, at the first fracture
-        while (rig.stage.game().blocksLeft() == 3) {
+        while (rig.stage.session().game().blocksLeft() == 3) {
             rig.frame({}, 1.0 / kTicksPerSecond);
         }
         for (int i = 0; i < 12; ++i) {
-            const std::uint32_t before = rig.stage.game().ticks();
+            const std::uint32_t before = rig.stage.session().game().ticks();
             rig.frame({}, 1.0 / kTicksPerSecond);
-            still += rig.stage.game().ticks() == before ? 1 : 0;
+            still += rig.stage.session().game().ticks() == before ? 1 : 0;
         }
         return still;
     };
@@ -287,13 +287,13 @@ TEST(Closeup, OfTheStageIsThatOfThePicture) {
         rig.frame();
         most = std::max(most, shownBy(rig.stage).closeup.scale);
         ASSERT_EQ(rig.picture().mostZoom(), shownBy(rig.stage).closeup.scale);
-        ASSERT_TRUE(&shownBy(rig.stage).game == &rig.stage.game() ||
+        ASSERT_TRUE(&shownBy(rig.stage).game == &rig.stage.session().game() ||
                     rig.stage.screen() == Screen::Over);
     }
     EXPECT_GT(most, Real(1.05));
     ASSERT_EQ(rig.stage.screen(), Screen::Over);
     EXPECT_EQ(rig.picture().mostZoom(), shownBy(rig.stage).closeup.scale);
-    EXPECT_NE(&shownBy(rig.stage).game, &rig.stage.game()) << "the rerun of the collapse";
+    EXPECT_NE(&shownBy(rig.stage).game, &rig.stage.session().game()) << "the rerun of the collapse";
 }
 
 std::string strokesOf(const Level& level) {

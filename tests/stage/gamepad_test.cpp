@@ -100,7 +100,7 @@ TEST(Gamepad, LeadsFromTheTitleOverTheMapIntoAGame) {
     rig.tap({.stickX = 1}); // to the second level
     rig.tap({.held = kA});
     ASSERT_EQ(rig.stage.screen(), Screen::Playing);
-    EXPECT_EQ(rig.stage.game().level().name, "test_3");
+    EXPECT_EQ(rig.stage.session().game().level().name, "test_3");
 }
 
 } // namespace

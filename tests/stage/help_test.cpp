@@ -190,7 +190,7 @@ TEST(HelpPage, PlaysWhileItIsOpenAndTheGameBehindItWaits) {
     StageRig rig(StageRig::playing());
     rig.frames(30);
     rig.press(Command::Pause);
-    const std::uint32_t ticks = rig.stage.game().ticks();
+    const std::uint32_t ticks = rig.stage.session().game().ticks();
     rig.clickItem(Action::Help);
     rig.frames(30);
     const std::vector<Stroke> first = rig.picture().strokes();
@@ -200,7 +200,7 @@ TEST(HelpPage, PlaysWhileItIsOpenAndTheGameBehindItWaits) {
         return a.place == b.place && a.color == b.color;
     };
     EXPECT_FALSE(std::equal(first.begin(), first.end(), second.begin(), second.end(), same));
-    EXPECT_EQ(rig.stage.game().ticks(), ticks);
+    EXPECT_EQ(rig.stage.session().game().ticks(), ticks);
     EXPECT_FALSE(rig.picture().says("SCORE")) << "the page covers the game";
     for (const char* words : {"pull", "push", "meter", "marks", "combo", "honours"}) {
         EXPECT_TRUE(rig.picture().says(words)) << words;

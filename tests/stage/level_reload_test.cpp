@@ -70,21 +70,21 @@ TEST_F(LevelReload, AnotherContentStartsANewTableAndKeepsTheFormerScore) {
     {
         StageRig rig(start());
         playToTheEnd(rig);
-        const std::int32_t first = rig.stage.game().score();
+        const std::int32_t first = rig.stage.session().game().score();
         ASSERT_EQ(rig.stage.records().provedScore(Mode::Standard, name_), first);
         write(kOne);
         look(rig);
         rig.press(Command::Restart);
         rig.frames(10);
-        EXPECT_EQ(rig.stage.game().blocksAtStart(), 1);
+        EXPECT_EQ(rig.stage.session().game().blocksAtStart(), 1);
         EXPECT_TRUE(
             rig.picture().says("a new table of scores begins. " + grouped(first) + " points"));
         EXPECT_FALSE(rig.picture().says("best  ")) << "no score to beat";
         playToTheEnd(rig);
-        second = rig.stage.game().score();
+        second = rig.stage.session().game().score();
         ASSERT_LT(second, first);
         EXPECT_TRUE(rig.picture().says(grouped(first) + " points of an earlier content"));
-        const Best best = rig.stage.profile().bestOf(Mode::Standard, name_);
+        const Best best = rig.stage.records().profile().bestOf(Mode::Standard, name_);
         EXPECT_EQ(best.score, second);
         EXPECT_EQ(best.unproved, first);
         EXPECT_EQ(rig.stage.records().provedScore(Mode::Standard, name_), second);
@@ -106,25 +106,25 @@ TEST_F(LevelReload, OnlyAnotherContentStartsAGameInProgressAgain) {
     rig.frames(100);
     write(kThree, "Yours");
     look(rig);
-    EXPECT_GT(rig.stage.game().ticks(), 100u) << "a new title";
+    EXPECT_GT(rig.stage.session().game().ticks(), 100u) << "a new title";
     EXPECT_TRUE(rig.picture().says("The next game shows the new texts"));
     EXPECT_TRUE(rig.picture().says("LEVEL ")) << "it is still a level of the list";
     write(kOne, "Yours");
     look(rig);
-    EXPECT_LT(rig.stage.game().ticks(), 100u);
-    EXPECT_EQ(rig.stage.game().level().title, "Yours");
+    EXPECT_LT(rig.stage.session().game().ticks(), 100u);
+    EXPECT_EQ(rig.stage.session().game().level().title, "Yours");
 }
 
 TEST_F(LevelReload, ANewTitleKeepsTheScores) {
     write(kThree);
     StageRig rig(start());
     playToTheEnd(rig);
-    const std::int32_t score = rig.stage.game().score();
+    const std::int32_t score = rig.stage.session().game().score();
     write(kThree, "Yours");
     look(rig);
     rig.press(Command::Restart);
     rig.frames(10);
-    EXPECT_EQ(rig.stage.game().level().title, "Yours");
+    EXPECT_EQ(rig.stage.session().game().level().title, "Yours");
     EXPECT_TRUE(rig.picture().says("best  " + grouped(score)));
 }
 
@@ -137,29 +137,29 @@ TEST_F(LevelReload, APausedGameStartsAgainOnceItGoesOn) {
     write(kOne);
     look(rig);
     EXPECT_EQ(rig.stage.screen(), Screen::Paused);
-    EXPECT_EQ(rig.stage.game().blocksAtStart(), 3);
+    EXPECT_EQ(rig.stage.session().game().blocksAtStart(), 3);
     rig.press(Command::Pause);
     EXPECT_EQ(rig.stage.screen(), Screen::Playing);
-    EXPECT_EQ(rig.stage.game().blocksAtStart(), 1);
-    EXPECT_LE(rig.stage.game().ticks(), 3u);
+    EXPECT_EQ(rig.stage.session().game().blocksAtStart(), 1);
+    EXPECT_LE(rig.stage.session().game().ticks(), 3u);
 }
 
 TEST_F(LevelReload, TheScoreOfAGameThatHasEndedIsEnteredFirst) {
     write(kOne);
     StageRig rig(start());
-    while (rig.stage.game().result() == Result::Playing) {
+    while (rig.stage.session().game().result() == Result::Playing) {
         makeMove(rig);
     }
     ASSERT_EQ(rig.stage.screen(), Screen::Playing) << "the fanfare";
-    const std::int32_t score = rig.stage.game().score();
+    const std::int32_t score = rig.stage.session().game().score();
     write(kThree);
     look(rig);
     rig.untilOver();
     EXPECT_EQ(rig.stage.screen(), Screen::Over);
-    EXPECT_EQ(rig.stage.profile().bestOf(Mode::Standard, name_).score, score);
+    EXPECT_EQ(rig.stage.records().profile().bestOf(Mode::Standard, name_).score, score);
     look(rig);
     rig.press(Command::Restart);
-    EXPECT_EQ(rig.stage.game().blocksAtStart(), 3);
+    EXPECT_EQ(rig.stage.session().game().blocksAtStart(), 3);
 }
 
 TEST_F(LevelReload, ErrorsAreShownInPlayInThePauseAndOnTheResults) {
@@ -187,12 +187,13 @@ TEST_F(LevelReload, ADeletedFileIsToldUntilItIsThereAgain) {
     fs::rename(file(), folder_ / "away");
     look(rig);
     EXPECT_TRUE(rig.picture().says("my_glass.toml: there is no such file"));
-    EXPECT_EQ(rig.stage.game().blocksAtStart(), 1) << "the game goes on";
-    EXPECT_GT(rig.stage.game().ticks(), 30u);
+    EXPECT_EQ(rig.stage.session().game().blocksAtStart(), 1) << "the game goes on";
+    EXPECT_GT(rig.stage.session().game().ticks(), 30u);
     fs::rename(folder_ / "away", file()); // with the same time
     look(rig);
     EXPECT_FALSE(rig.picture().says("my_glass.toml"));
-    EXPECT_GT(rig.stage.game().ticks(), 100u) << "the same content does not start it again";
+    EXPECT_GT(rig.stage.session().game().ticks(), 100u)
+        << "the same content does not start it again";
 }
 
 // An edit changes no other game: a run, or a replay.
@@ -206,8 +207,8 @@ TEST_F(LevelReload, AGameOnAnotherLevelGoesOn) {
     rig.clickItem(Action::Endless);
     write(kThree);
     look(rig);
-    EXPECT_EQ(rig.stage.game().level().title, "Row");
-    EXPECT_GT(rig.stage.game().ticks(), 30u);
+    EXPECT_EQ(rig.stage.session().game().level().title, "Row");
+    EXPECT_GT(rig.stage.session().game().ticks(), 30u);
 }
 
 } // namespace

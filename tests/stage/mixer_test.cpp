@@ -288,7 +288,7 @@ TEST(SoundCues, NoTwoHitsSoundQuiteAlike) {
 TEST(SoundScene, FollowsTheGameAndItsSettings) {
     StageRig rig(StageRig::playing());
     rig.frame();
-    EXPECT_EQ(rig.speaker.scene.theme, rig.stage.game().level().theme);
+    EXPECT_EQ(rig.speaker.scene.theme, rig.stage.session().game().level().theme);
     EXPECT_FLOAT_EQ(rig.speaker.scene.music, share(Settings{}.music));
     EXPECT_FALSE(rig.speaker.scene.muffled);
     rig.press(Command::Pause);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <apart/stage/own_levels.hpp>
+#include <apart/stage/records/replay_store.hpp>
 #include <support/folder_test.hpp>
 
 #include <gtest/gtest.h>
@@ -54,13 +55,13 @@ TEST_F(OwnLevels, AFileWithTheNameOfAnotherLevelIsPlayedWithoutRecords) {
     EXPECT_NE(rig.stage.records().notices()[0].find(
                   "test_1 is the name of another level. It is played without scores"),
               std::string::npos);
-    EXPECT_EQ(rig.stage.game().level().title, "Mine");
+    EXPECT_EQ(rig.stage.session().game().level().title, "Mine");
     playToTheEnd(rig);
-    ASSERT_GT(rig.stage.game().score(), 25);
+    ASSERT_GT(rig.stage.session().game().score(), 25);
     EXPECT_TRUE(rig.picture().says("test_1.toml is played without scores, honours and replays."));
     rig.clickItem(Action::Levels);
     EXPECT_TRUE(replays_.empty());
-    const Profile& profile = rig.stage.profile();
+    const Profile& profile = rig.stage.records().profile();
     EXPECT_EQ(profile.bestOf(Mode::Standard, name_), (Best{25, false, false, false}));
     EXPECT_EQ(profile.best[0].size(), 1u);
     EXPECT_EQ(profile.totals, TotalsByTheme{});

@@ -21,7 +21,7 @@ TEST(Panel, HasAFilledDotForEachBall) {
                    stroke.color.r == palette::kBall.r;
         });
     };
-    ASSERT_EQ(rig.stage.game().lives(), 3);
+    ASSERT_EQ(rig.stage.session().game().lives(), 3);
     EXPECT_EQ(inRow(Stroke::Kind::Disc), 3);
     EXPECT_EQ(inRow(Stroke::Kind::Ring), 0);
 }

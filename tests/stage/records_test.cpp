@@ -57,7 +57,7 @@ TEST(Daily, AStageMayStartWithTheRunOfADay) {
     StageRig rig(std::move(def));
     ASSERT_EQ(rig.stage.screen(), Screen::Playing);
     EXPECT_TRUE(rig.picture().says("Daily run 2026-11-25, level 1"));
-    EXPECT_EQ(rig.stage.game().seed(), dailySeed(kToday - 1, 1));
+    EXPECT_EQ(rig.stage.session().game().seed(), dailySeed(kToday - 1, 1));
 }
 
 TEST(Daily, ItsScoreStandsOnTheTitleAndApartFromEndlessRuns) {
@@ -73,17 +73,17 @@ TEST(Daily, ItsScoreStandsOnTheTitleAndApartFromEndlessRuns) {
     EXPECT_TRUE(rig.picture().says("Daily run 2026-11-26"));
     rig.clickItem(Action::Daily);
     EXPECT_TRUE(rig.picture().says("Daily run 2026-11-26, level 1"));
-    EXPECT_EQ(rig.stage.game().seed(), dailySeed(kToday, 1));
+    EXPECT_EQ(rig.stage.session().game().seed(), dailySeed(kToday, 1));
     playToTheEnd(rig);
-    const std::int32_t score = rig.stage.game().score();
+    const std::int32_t score = rig.stage.session().game().score();
     ASSERT_GT(score, 0);
     rig.press(Command::Next);
-    EXPECT_EQ(rig.stage.game().seed(), dailySeed(kToday, 2));
+    EXPECT_EQ(rig.stage.session().game().seed(), dailySeed(kToday, 2));
     rig.press(Command::Pause);
     rig.clickItem(Action::ToTitle);
     rig.clickItem(Action::ToTitle); // the run has points
     EXPECT_TRUE(rig.picture().says("Daily run 2026-11-26   best " + grouped(score)));
-    EXPECT_EQ(rig.stage.profile().bestOf(Mode::Standard, kEndlessKey), Best{});
+    EXPECT_EQ(rig.stage.records().profile().bestOf(Mode::Standard, kEndlessKey), Best{});
     ASSERT_EQ(kept.size(), 1u);
     EXPECT_TRUE(isDaily(kept[0], kToday));
 }
@@ -91,19 +91,19 @@ TEST(Daily, ItsScoreStandsOnTheTitleAndApartFromEndlessRuns) {
 TEST(Statistics, EachGameIsCountedOnceInItsTheme) {
     StageRig rig(StageRig::playing());
     playToTheEnd(rig);
-    const PlayTotals& totals = rig.stage.profile().totals[0];
+    const PlayTotals& totals = rig.stage.records().profile().totals[0];
     EXPECT_EQ(totals.games, 1);
-    EXPECT_EQ(totals.won, rig.stage.game().result() == Result::Won ? 1 : 0);
+    EXPECT_EQ(totals.won, rig.stage.session().game().result() == Result::Won ? 1 : 0);
     EXPECT_GE(totals.broken, 1);
     rig.press(Command::Restart); // a game of less than two seconds does not count
     rig.frames(30);
     rig.press(Command::Restart);
-    EXPECT_EQ(rig.stage.profile().totals[0].games, 1);
+    EXPECT_EQ(rig.stage.records().profile().totals[0].games, 1);
     rig.frames(180);
     rig.press(Command::Pause);
     rig.clickItem(Action::ToTitle);
-    EXPECT_EQ(rig.stage.profile().totals[0].games, 2);
-    EXPECT_GE(rig.stage.profile().totals[0].seconds, 3);
+    EXPECT_EQ(rig.stage.records().profile().totals[0].games, 2);
+    EXPECT_GE(rig.stage.records().profile().totals[0].seconds, 3);
     rig.clickItem(Action::Records);
     EXPECT_EQ(rig.stage.screen(), Screen::Records);
     EXPECT_TRUE(rig.picture().says("All themes"));
@@ -149,7 +149,7 @@ TEST(Ghost, RunsBesideTheGameAndDoesNotChangeIt) {
         rig->press(Command::Launch);
         rig->frames(30);
     }
-    EXPECT_EQ(with.stage.game().stateHash(), without.stage.game().stateHash());
+    EXPECT_EQ(with.stage.session().game().stateHash(), without.stage.session().game().stateHash());
     EXPECT_EQ(discs(with), discs(without) + 1) << "the ball of the ghost";
     with.press(Command::Restart);
     with.press(Command::Restart);
@@ -250,11 +250,11 @@ TEST(Medals, TheResultAndTheMapShowThem) {
     def.marks = {{name, 0, {10, 20, 9999999}, 99, 7}};
     StageRig rig(std::move(def));
     playToTheEnd(rig);
-    ASSERT_GT(rig.stage.game().score(), 20);
+    ASSERT_GT(rig.stage.session().game().score(), 20);
     EXPECT_TRUE(rig.picture().says("silver medal, gold from 9 999 999"));
     EXPECT_TRUE(rig.picture().says("99 hits at most"));
     EXPECT_TRUE(rig.picture().says("7 in one fall"));
-    EXPECT_TRUE(rig.stage.profile().bestOf(Mode::Standard, name).fewHits);
+    EXPECT_TRUE(rig.stage.records().profile().bestOf(Mode::Standard, name).fewHits);
     EXPECT_EQ(rig.stage.records().medalOf(Mode::Standard, name), Medal::Silver);
     EXPECT_EQ(rig.stage.records().medalOf(Mode::Pure, name), Medal::None);
     rig.clickItem(Action::Levels);

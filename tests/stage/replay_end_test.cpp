@@ -42,7 +42,7 @@ TEST(ReplayEnd, AGameThatWasLeftStandsStillAtItsLastRecordedTick) {
     rig.untilOver();
     rig.frames(60 * 20);
     ASSERT_EQ(rig.stage.screen(), Screen::Over);
-    EXPECT_EQ(rig.stage.game().stateHash(), played.game().stateHash());
+    EXPECT_EQ(rig.stage.session().game().stateHash(), played.game().stateHash());
     EXPECT_TRUE(rig.picture().says("in 0:05"));
     EXPECT_TRUE(rig.picture().says("0:05 of 0:05"));
 }
@@ -50,12 +50,13 @@ TEST(ReplayEnd, AGameThatWasLeftStandsStillAtItsLastRecordedTick) {
 TEST(ReplayEnd, ThePictureStandsStillThere) {
     const auto level = glassLevel("A row", {2, 4, 6, 8, 10, 12});
     StageRig rig(watching(level, recordedGame(level, 3, 600)));
-    while (rig.stage.game().ticks() < 600) {
+    while (rig.stage.session().game().ticks() < 600) {
         rig.frame();
     }
     rig.frames(5);
     ASSERT_EQ(rig.stage.screen(), Screen::Playing);
-    const Real shown = rig.stage.game().world()[rig.stage.game().balls()[0].body].position().x;
+    const Real shown =
+        rig.stage.session().game().world()[rig.stage.session().game().balls()[0].body].position().x;
     const auto ball = [&] {
         const auto& strokes = rig.picture().strokes();
         return std::any_of(strokes.begin(), strokes.end(), [&](const Stroke& stroke) {
@@ -71,7 +72,7 @@ TEST(ReplayEnd, ThePictureStandsStillThere) {
 TEST(ReplayEnd, AGameTakenOverAtTheEndGoesOn) {
     const auto level = glassLevel("A row", {2, 4, 6, 8, 10, 12});
     StageRig rig(watching(level, recordedGame(level, 3, 600)));
-    while (rig.stage.game().ticks() < 600) {
+    while (rig.stage.session().game().ticks() < 600) {
         rig.frame();
     }
     rig.frames(30);
@@ -79,7 +80,7 @@ TEST(ReplayEnd, AGameTakenOverAtTheEndGoesOn) {
     rig.press(Command::Confirm); // goes on
     rig.frames(120);
     EXPECT_EQ(rig.stage.screen(), Screen::Playing);
-    EXPECT_GT(rig.stage.game().ticks(), 700u);
+    EXPECT_GT(rig.stage.session().game().ticks(), 700u);
 }
 
 // Regression: of a game that is over before its recording ends, the clock went on.
@@ -107,7 +108,7 @@ TEST(ReplayEnd, ADivergenceFromTheRecordingIsToldOnce) {
     }
     const std::string sentence = "The replay diverges from the recording at 0:07.";
     StageRig rig(watching(level, replay));
-    while (rig.stage.game().ticks() < 838) {
+    while (rig.stage.session().game().ticks() < 838) {
         EXPECT_FALSE(rig.picture().says("diverges"));
         rig.frame();
     }

@@ -98,7 +98,7 @@ TEST_F(ReplayStore, ListsTheLastGameAndTheBestOnesWithTheirLevels) {
     const LevelList levels = def.levels;
     StageRig rig(std::move(def));
     playToTheEnd(rig);
-    ASSERT_EQ(rig.stage.game().result(), Result::Won);
+    ASSERT_EQ(rig.stage.session().game().result(), Result::Won);
     ASSERT_FALSE(writeTextFile(folder_ / "best" / "torn-standard.replay", "apart-replay 2\nlevel"));
     const std::vector<fs::path> files = replayFiles(folder_);
     ASSERT_EQ(files.size(), 3u);
@@ -114,7 +114,7 @@ TEST_F(ReplayStore, ListsTheLastGameAndTheBestOnesWithTheirLevels) {
         const bool last = file.stem() == "last";
         EXPECT_EQ(entry.title, last ? "Last game: One block" : "One block");
         EXPECT_EQ(entry.result, "won");
-        EXPECT_EQ(entry.score, std::optional<std::int64_t>(rig.stage.game().score()));
+        EXPECT_EQ(entry.score, std::optional<std::int64_t>(rig.stage.session().game().score()));
         EXPECT_EQ(entry.best.has_value(), !last);
     }
     const auto run = std::get<ReplayRun>(readRunFile(files[0]));

@@ -151,8 +151,10 @@ TEST(ScoreBook, TheMapShowsNoTypedInScoreAsTheBestOne) {
     proved.press(Command::Left);
     proved.frames(60 * 20);
     EXPECT_FALSE(proved.picture().says("99 999 999"));
-    EXPECT_EQ(proved.stage.profile().bestOf(Mode::Standard, game.level->name).score, game.score);
-    EXPECT_EQ(proved.stage.profile().bestOf(Mode::Standard, game.level->name).unproved, 99999999);
+    EXPECT_EQ(proved.stage.records().profile().bestOf(Mode::Standard, game.level->name).score,
+              game.score);
+    EXPECT_EQ(proved.stage.records().profile().bestOf(Mode::Standard, game.level->name).unproved,
+              99999999);
 }
 
 TEST(ScoreBook, AScoreThatCannotBeReadIsTakenFromItsReplay) {
@@ -162,7 +164,7 @@ TEST(ScoreBook, AScoreThatCannotBeReadIsTakenFromItsReplay) {
     rig.press(Command::Left);
     EXPECT_TRUE(rig.picture().says("so far, more are checked"));
     rig.frames(60 * 20);
-    const Best best = rig.stage.profile().bestOf(Mode::Standard, game.level->name);
+    const Best best = rig.stage.records().profile().bestOf(Mode::Standard, game.level->name);
     EXPECT_EQ(best.score, game.score);
     EXPECT_EQ(best.unproved, 0);
     EXPECT_TRUE(rig.picture().says(countText(game.score, "point") + " in all"));
@@ -170,7 +172,7 @@ TEST(ScoreBook, AScoreThatCannotBeReadIsTakenFromItsReplay) {
     StageRig without(claiming(game, kUnreadScore, "no replay"));
     without.clickItem(Action::Levels);
     without.frames(60);
-    EXPECT_EQ(without.stage.profile().bestOf(Mode::Standard, game.level->name).score, 0);
+    EXPECT_EQ(without.stage.records().profile().bestOf(Mode::Standard, game.level->name).score, 0);
 }
 
 // After a line like "cleared = maybe", or without a profile.
@@ -183,7 +185,7 @@ TEST(ScoreBook, ThatALevelIsClearedIsTakenFromItsReplay) {
     StageRig rig(std::move(def));
     EXPECT_TRUE(rig.picture().says("Play   1  One block"));
     rig.frames(60 * 10);
-    EXPECT_TRUE(rig.stage.profile().bestOf(Mode::Standard, game.level->name).cleared);
+    EXPECT_TRUE(rig.stage.records().profile().bestOf(Mode::Standard, game.level->name).cleared);
     EXPECT_TRUE(rig.picture().says("Play   2  Three blocks"));
     ASSERT_EQ(saved.size(), 1u) << "at once, and once";
     EXPECT_TRUE(saved[0].bestOf(Mode::Standard, game.level->name).cleared);
@@ -198,7 +200,8 @@ TEST(ScoreBook, ThatALevelIsClearedIsTakenFromItsReplay) {
     other.profile.best[0][game.level->name].cleared = false;
     StageRig without(std::move(other));
     without.frames(60 * 20);
-    EXPECT_FALSE(without.stage.profile().bestOf(Mode::Standard, game.level->name).cleared);
+    EXPECT_FALSE(
+        without.stage.records().profile().bestOf(Mode::Standard, game.level->name).cleared);
 }
 
 TEST(ScoreBook, AScoreThatItsReplayGivesIsSavedAtOnce) {
@@ -250,8 +253,8 @@ TEST(ScoreBook, AGameReplacesAScoreWithoutProofAndKeepsIt) {
     listKept(def, kept);
     StageRig rig(std::move(def));
     playToTheEnd(rig);
-    const Best best = rig.stage.profile().bestOf(Mode::Standard, game.level->name);
-    EXPECT_EQ(best.score, rig.stage.game().score());
+    const Best best = rig.stage.records().profile().bestOf(Mode::Standard, game.level->name);
+    EXPECT_EQ(best.score, rig.stage.session().game().score());
     EXPECT_EQ(best.unproved, 99999999);
     EXPECT_EQ(kept, (std::vector<std::string>{"", game.level->name}));
     EXPECT_EQ(rig.stage.records().standingOf(Mode::Standard, game.level->name).proof,
@@ -270,7 +273,8 @@ TEST(ScoreBook, AGameWaitsForTheCheckOfTheScoreThatItMayReplace) {
     listKept(def, kept);
     StageRig rig(std::move(def));
     playToTheEnd(rig);
-    EXPECT_EQ(rig.stage.profile().bestOf(Mode::Standard, game.level->name).score, 99999999);
+    EXPECT_EQ(rig.stage.records().profile().bestOf(Mode::Standard, game.level->name).score,
+              99999999);
     EXPECT_EQ(kept, (std::vector<std::string>{""}));
     for (int i = 0; i < 10000 && kept.size() < 2; ++i) {
         rig.frame();
@@ -279,8 +283,8 @@ TEST(ScoreBook, AGameWaitsForTheCheckOfTheScoreThatItMayReplace) {
             break;
         }
     }
-    EXPECT_EQ(rig.stage.profile().bestOf(Mode::Standard, game.level->name).score,
-              std::max(game.score, rig.stage.game().score()));
+    EXPECT_EQ(rig.stage.records().profile().bestOf(Mode::Standard, game.level->name).score,
+              std::max(game.score, rig.stage.session().game().score()));
 }
 
 } // namespace

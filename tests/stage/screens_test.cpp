@@ -16,7 +16,7 @@ TEST(Screens, TheTitleOffersTheFirstLevelThatIsNotCleared) {
     EXPECT_TRUE(rig.picture().says("Three blocks"));
     rig.press(Command::Confirm);
     EXPECT_EQ(rig.stage.screen(), Screen::Playing);
-    EXPECT_EQ(rig.stage.game().level().name, "test_3");
+    EXPECT_EQ(rig.stage.session().game().level().name, "test_3");
 }
 
 TEST(Screens, ALevelIsChosenByKeys) {
@@ -29,7 +29,7 @@ TEST(Screens, ALevelIsChosenByKeys) {
     EXPECT_TRUE(rig.picture().says("Three blocks"));
     rig.press(Command::Confirm);
     EXPECT_EQ(rig.stage.screen(), Screen::Playing);
-    EXPECT_EQ(rig.stage.game().level().title, "Three blocks");
+    EXPECT_EQ(rig.stage.session().game().level().title, "Three blocks");
 }
 
 TEST(Screens, ALevelIsChosenByMouse) {
@@ -41,7 +41,7 @@ TEST(Screens, ALevelIsChosenByMouse) {
     rig.clickItem(Action::Levels);
     rig.click(rig.stage.levelMap().tile(1).center());
     EXPECT_EQ(rig.stage.screen(), Screen::Playing);
-    EXPECT_EQ(rig.stage.game().level().name, "test_3");
+    EXPECT_EQ(rig.stage.session().game().level().name, "test_3");
 }
 
 TEST(Screens, EveryMenuReturnsToItsOrigin) {
@@ -54,9 +54,9 @@ TEST(Screens, EveryMenuReturnsToItsOrigin) {
     rig.press(Command::Pause);
     rig.clickItem(Action::Options);
     EXPECT_EQ(rig.stage.screen(), Screen::Options);
-    const std::uint32_t before = rig.stage.game().ticks();
+    const std::uint32_t before = rig.stage.session().game().ticks();
     rig.frames(10);
-    EXPECT_EQ(rig.stage.game().ticks(), before); // the game is paused behind them
+    EXPECT_EQ(rig.stage.session().game().ticks(), before); // the game is paused behind them
     rig.clickItem(Action::Back);
     EXPECT_EQ(rig.stage.screen(), Screen::Paused);
     rig.clickItem(Action::Resume);
@@ -94,13 +94,13 @@ TEST(Screens, NoTimePassesWhilePaused) {
     rig.press(Command::Pause);
     EXPECT_EQ(rig.stage.screen(), Screen::Paused);
     EXPECT_TRUE(rig.picture().says("Paused"));
-    const std::uint32_t before = rig.stage.game().ticks();
+    const std::uint32_t before = rig.stage.session().game().ticks();
     rig.frames(30);
-    EXPECT_EQ(rig.stage.game().ticks(), before);
+    EXPECT_EQ(rig.stage.session().game().ticks(), before);
     rig.press(Command::Back);
     EXPECT_EQ(rig.stage.screen(), Screen::Playing);
     rig.frames(2);
-    EXPECT_GT(rig.stage.game().ticks(), before);
+    EXPECT_GT(rig.stage.session().game().ticks(), before);
 }
 
 TEST(Screens, LosingTheFocusPauses) {
@@ -124,19 +124,19 @@ TEST(Screens, RestartBeginsTheSameLevelAgain) {
     StageRig rig(StageRig::playing());
     rig.frames(50);
     rig.press(Command::Restart);
-    EXPECT_LE(rig.stage.game().ticks(), 3u);
-    EXPECT_EQ(rig.stage.game().level().name, "test_1");
+    EXPECT_LE(rig.stage.session().game().ticks(), 3u);
+    EXPECT_EQ(rig.stage.session().game().level().name, "test_1");
 }
 
 TEST(Screens, AWonLevelLeadsToTheNext) {
     StageRig rig(StageRig::played());
     rig.untilOver();
     ASSERT_EQ(rig.stage.screen(), Screen::Over);
-    ASSERT_EQ(rig.stage.game().result(), Result::Won);
+    ASSERT_EQ(rig.stage.session().game().result(), Result::Won);
     EXPECT_TRUE(rig.picture().says("Level cleared"));
     rig.press(Command::Confirm);
     EXPECT_EQ(rig.stage.screen(), Screen::Playing);
-    EXPECT_EQ(rig.stage.game().level().name, "test_3");
+    EXPECT_EQ(rig.stage.session().game().level().name, "test_3");
 }
 
 TEST(Screens, AGameWithoutPaddleInputIsLostAndCanBeRestarted) {
@@ -153,11 +153,11 @@ TEST(Screens, AGameWithoutPaddleInputIsLostAndCanBeRestarted) {
         rig.frame();
     }
     ASSERT_EQ(rig.stage.screen(), Screen::Over);
-    const bool lost = rig.stage.game().result() == Result::Lost;
+    const bool lost = rig.stage.session().game().result() == Result::Lost;
     EXPECT_TRUE(rig.picture().says(lost ? "Game over" : "Level cleared"));
     rig.press(Command::Restart);
     EXPECT_EQ(rig.stage.screen(), Screen::Playing);
-    EXPECT_EQ(rig.stage.game().level().name, "test_1");
+    EXPECT_EQ(rig.stage.session().game().level().name, "test_1");
 }
 
 TEST(Screens, OptionsStayInTheirRangeAndCanBeReset) {
@@ -168,21 +168,21 @@ TEST(Screens, OptionsStayInTheirRangeAndCanBeReset) {
     for (int i = 0; i < 15; ++i) {
         rig.press(Command::Left);
     }
-    EXPECT_EQ(rig.stage.settings().sound, 0);
+    EXPECT_EQ(rig.stage.records().profile().settings.sound, 0);
     for (int i = 0; i < 15; ++i) {
         rig.press(Command::Right);
     }
-    EXPECT_EQ(rig.stage.settings().sound, 100);
+    EXPECT_EQ(rig.stage.records().profile().settings.sound, 100);
     EXPECT_TRUE(rig.picture().says("100 %"));
     rig.clickItem(Action::Reset);
-    EXPECT_EQ(rig.stage.settings().sound, 100) << "it asks once";
+    EXPECT_EQ(rig.stage.records().profile().settings.sound, 100) << "it asks once";
     EXPECT_TRUE(rig.picture().says("once more to reset the options"));
     rig.press(Command::Up); // another item: the question is gone
     EXPECT_FALSE(rig.picture().says("once more"));
     rig.clickItem(Action::Reset);
-    EXPECT_EQ(rig.stage.settings().sound, 100);
+    EXPECT_EQ(rig.stage.records().profile().settings.sound, 100);
     rig.clickItem(Action::Reset);
-    EXPECT_EQ(rig.stage.settings(), Settings{});
+    EXPECT_EQ(rig.stage.records().profile().settings, Settings{});
     rig.clickItem(Action::Reset);
     EXPECT_FALSE(rig.picture().says("once more")) << "there is nothing to lose";
 }
@@ -212,7 +212,7 @@ TEST(Screens, TheScoreOfAGameIsEnteredInItsOwnTable) {
         playToTheEnd(rig);
         ASSERT_EQ(rig.stage.screen(), Screen::Over);
         ASSERT_EQ(kept.size(), 1u);
-        const Game& game = rig.stage.game();
+        const Game& game = rig.stage.session().game();
         const Best best = kept[0].bestOf(mode, game.level().name);
         EXPECT_EQ(best.score, game.score());
         EXPECT_EQ(best.cleared, game.result() == Result::Won);
@@ -232,7 +232,7 @@ TEST(Screens, AGameOfThePlayerIsRecordedBitForBit) {
     StageRig rig(std::move(def));
     playToTheEnd(rig);
     ASSERT_EQ(rig.stage.screen(), Screen::Over);
-    ASSERT_GT(rig.stage.game().score(), 0);
+    ASSERT_GT(rig.stage.session().game().score(), 0);
     ASSERT_EQ(kept.size(), 2u);
     EXPECT_EQ(kept[0].second, "") << "the last game";
     EXPECT_EQ(kept[1].second, level->name) << "the best one: it is the first";
@@ -243,8 +243,8 @@ TEST(Screens, AGameOfThePlayerIsRecordedBitForBit) {
         playback.tick();
     }
     EXPECT_FALSE(playback.divergence());
-    EXPECT_EQ(playback.game().result(), rig.stage.game().result());
-    EXPECT_EQ(playback.game().score(), rig.stage.game().score());
+    EXPECT_EQ(playback.game().result(), rig.stage.session().game().result());
+    EXPECT_EQ(playback.game().score(), rig.stage.session().game().score());
     rig.clickItem(Action::ToTitle);
     EXPECT_TRUE(rig.picture().says("It was kept."));
 }
@@ -268,20 +268,20 @@ TEST(Screens, GamesOfAPilotAreNotSaved) {
 TEST(Screens, AModeIsChosenOnTheTitleAndShownInTheGame) {
     StageRig rig(StageRig::twoLevels());
     rig.clickItem(Action::Mode);
-    EXPECT_EQ(rig.stage.profile().mode, Mode::Pure);
+    EXPECT_EQ(rig.stage.records().profile().mode, Mode::Pure);
     rig.clickItem(Action::Mode);
-    EXPECT_EQ(rig.stage.profile().mode, Mode::Assisted);
+    EXPECT_EQ(rig.stage.records().profile().mode, Mode::Assisted);
     rig.clickItem(Action::Play);
-    EXPECT_EQ(rig.stage.game().mode(), Mode::Assisted);
+    EXPECT_EQ(rig.stage.session().game().mode(), Mode::Assisted);
     EXPECT_TRUE(rig.picture().says("ASSISTED"));
 }
 
 TEST(Screens, AnyServeKeySkipsTheFanfare) {
     StageRig rig(StageRig::played());
-    while (rig.stage.game().result() == Result::Playing) {
+    while (rig.stage.session().game().result() == Result::Playing) {
         rig.frame();
     }
-    ASSERT_EQ(rig.stage.game().result(), Result::Won);
+    ASSERT_EQ(rig.stage.session().game().result(), Result::Won);
     rig.frames(10);
     ASSERT_EQ(rig.stage.screen(), Screen::Playing); // during the fanfare
     rig.press(Command::Launch);
@@ -331,14 +331,14 @@ TEST(Screens, AnEndlessRunContinuesAndSumsItsScores) {
     ASSERT_EQ(rig.stage.screen(), Screen::Playing);
     EXPECT_TRUE(rig.picture().says("ENDLESS 1"));
     playToTheEnd(rig);
-    ASSERT_EQ(rig.stage.game().result(), Result::Won);
-    const std::int32_t first = rig.stage.game().score();
+    ASSERT_EQ(rig.stage.session().game().result(), Result::Won);
+    const std::int32_t first = rig.stage.session().game().score();
     rig.press(Command::Next);
-    EXPECT_EQ(rig.stage.game().level().title, "Row 2");
+    EXPECT_EQ(rig.stage.session().game().level().title, "Row 2");
     playToTheEnd(rig);
     ASSERT_EQ(rig.stage.screen(), Screen::Over);
     EXPECT_EQ(kept.back().bestOf(Mode::Standard, "endless").score,
-              first + rig.stage.game().score());
+              first + rig.stage.session().game().score());
     // The whole run is recorded, level by level.
     ASSERT_EQ(recorded.size(), 4u);
     EXPECT_EQ(recorded[1].first.size(), 1u);
@@ -363,11 +363,11 @@ TEST(Screens, AnEndlessRunRestartsAtItsFirstLevel) {
     EXPECT_TRUE(rig.picture().says("ENDLESS 4"));
     playToTheEnd(rig);
     rig.press(Command::Next);
-    EXPECT_EQ(rig.stage.game().level().title, "Another");
+    EXPECT_EQ(rig.stage.session().game().level().title, "Another");
     rig.press(Command::Restart);
     EXPECT_TRUE(rig.picture().says("once more to start again")) << "the run has points";
     rig.press(Command::Restart);
-    EXPECT_EQ(rig.stage.game().level().title, "Row 4");
+    EXPECT_EQ(rig.stage.session().game().level().title, "Row 4");
 }
 
 /// A recorded game of this level without input.
@@ -403,14 +403,14 @@ TEST(Screens, ARecordedGameCanBeReplayedAndLaterGamesUsePlayerInput) {
     EXPECT_TRUE(rig.picture().says("The replay ends"));
     EXPECT_TRUE(rig.picture().says("Watch again"));
     rig.clickItem(Action::Restart);
-    EXPECT_EQ(rig.stage.game().seed(), 8u);
-    EXPECT_EQ(rig.stage.game().mode(), Mode::Pure);
+    EXPECT_EQ(rig.stage.session().game().seed(), 8u);
+    EXPECT_EQ(rig.stage.session().game().mode(), Mode::Pure);
     rig.untilOver();
     EXPECT_TRUE(kept.empty());
     rig.clickItem(Action::ToTitle);
     rig.clickItem(Action::Play);
-    EXPECT_EQ(rig.stage.game().seed(), 70u);
-    EXPECT_EQ(rig.stage.game().mode(), Mode::Standard);
+    EXPECT_EQ(rig.stage.session().game().seed(), 70u);
+    EXPECT_EQ(rig.stage.session().game().mode(), Mode::Standard);
     EXPECT_FALSE(rig.picture().says("REPLAY"));
     rig.frames(200);
     EXPECT_EQ(rig.stage.screen(), Screen::Playing); // waits for the serve
@@ -430,7 +430,7 @@ TEST(Screens, TheFirstGameHasTheRequestedSeed) {
     rig.frames(60 * 150);     // longer than one game of the bot
     rig.press(Command::Down); // restores the menu
     rig.clickItem(Action::Play);
-    EXPECT_EQ(rig.stage.game().seed(), 70u);
+    EXPECT_EQ(rig.stage.session().game().seed(), 70u);
 }
 
 TEST(Screens, ANoticeIsShownOnTheTitle) {
@@ -455,7 +455,7 @@ TEST(Screens, NoticesAreStackedOnTheTitle) {
         while (rig.stage.screen() == Screen::Playing) {
             rig.press(Command::Launch);
         }
-        ASSERT_EQ(rig.stage.game().result(), Result::Lost);
+        ASSERT_EQ(rig.stage.session().game().result(), Result::Lost);
         rig.clickItem(game == 0 ? Action::Restart : Action::ToTitle);
     }
     std::vector<Real> heights;

@@ -44,7 +44,7 @@ TEST_F(ShowFile, AReplayOfALevelOfTheGameIsPlayed) {
     EXPECT_EQ(def.show->end, 300u);
     StageRig rig(std::move(def));
     rig.untilOver();
-    EXPECT_EQ(rig.stage.game().stateHash(), replay.hashes.back().hash);
+    EXPECT_EQ(rig.stage.session().game().stateHash(), replay.hashes.back().hash);
 }
 
 TEST_F(ShowFile, ADailyRunHasItsDay) {

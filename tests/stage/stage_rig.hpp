@@ -120,8 +120,8 @@ struct StageRig {
 
 /// Plays until the game has points; it must not be over then.
 inline void makePoints(StageRig& rig) {
-    for (int i = 0; i < 60 * 60 && rig.stage.game().score() == 0; ++i) {
-        const Game& game = rig.stage.game();
+    for (int i = 0; i < 60 * 60 && rig.stage.session().game().score() == 0; ++i) {
+        const Game& game = rig.stage.session().game();
         Signals signals;
         const Input wish = bot(game);
         const Real x = game.world()[game.paddle()].position().x;
@@ -130,13 +130,13 @@ inline void makePoints(StageRig& rig) {
         signals.commands = {Command::Launch};
         rig.frame(signals);
     }
-    ASSERT_GT(rig.stage.game().score(), 0);
-    ASSERT_EQ(rig.stage.game().result(), Result::Playing);
+    ASSERT_GT(rig.stage.session().game().score(), 0);
+    ASSERT_EQ(rig.stage.session().game().result(), Result::Playing);
 }
 
 /// One frame of a tick with the bot's move by keys.
 inline void makeMove(StageRig& rig) {
-    const Game& game = rig.stage.game();
+    const Game& game = rig.stage.session().game();
     const Input wish = bot(game);
     Signals signals;
     const Real x = game.world()[game.paddle()].position().x;

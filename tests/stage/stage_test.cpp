@@ -11,13 +11,13 @@ namespace {
 TEST(Stage, TheFrameRateDoesNotChangeTheGame) {
     StageRig slow(StageRig::played());
     StageRig fast(StageRig::played());
-    while (slow.stage.game().ticks() < 300) {
+    while (slow.stage.session().game().ticks() < 300) {
         slow.frame({}, 1.0 / 30);
     }
-    while (fast.stage.game().ticks() < slow.stage.game().ticks()) {
+    while (fast.stage.session().game().ticks() < slow.stage.session().game().ticks()) {
         fast.frame({}, 1.0 / 240);
     }
-    EXPECT_EQ(slow.stage.game().stateHash(), fast.stage.game().stateHash());
+    EXPECT_EQ(slow.stage.session().game().stateHash(), fast.stage.session().game().stateHash());
 }
 
 // Accessibility: the same game at a lower speed.
@@ -28,7 +28,7 @@ TEST(Stage, TheGameRunsAtTheChosenSpeed) {
         def.profile.settings.speed = percent;
         StageRig rig(std::move(def));
         rig.frames(60);
-        ticks.push_back(rig.stage.game().ticks());
+        ticks.push_back(rig.stage.session().game().ticks());
     }
     EXPECT_NEAR(ticks[0], kTicksPerSecond, 1);
     EXPECT_NEAR(ticks[1], kTicksPerSecond / 2, 1);
@@ -37,7 +37,7 @@ TEST(Stage, TheGameRunsAtTheChosenSpeed) {
 TEST(Stage, AfterAStallTheGameSlowsDownInsteadOfCatchingUp) {
     StageRig rig(StageRig::playing());
     rig.frame({}, 60.0);
-    EXPECT_LE(rig.stage.game().ticks(), 12u); // 0.1 s
+    EXPECT_LE(rig.stage.session().game().ticks(), 12u); // 0.1 s
 }
 
 TEST(Stage, NothingInTheFieldIsDrawnOverABall) {
@@ -45,7 +45,7 @@ TEST(Stage, NothingInTheFieldIsDrawnOverABall) {
     int seen = 0;
     for (int i = 0; i < 200; ++i) {
         rig.frame();
-        const Game& game = rig.stage.game();
+        const Game& game = rig.stage.session().game();
         if (game.balls().size() != 1 || game.serving()) {
             continue;
         }
@@ -87,7 +87,7 @@ TEST(Stage, EventsCauseSounds) {
 TEST(Stage, AHeldServeIsAimedByTheMouseAndServedWhenReleased) {
     StageRig rig(StageRig::playing());
     rig.frames(30);
-    const Vec2 before = rig.stage.game().serveHeading();
+    const Vec2 before = rig.stage.session().game().serveHeading();
     Signals held;
     held.serveHeld = true;
     held.clicked = true;
@@ -97,25 +97,25 @@ TEST(Stage, AHeldServeIsAimedByTheMouseAndServedWhenReleased) {
     rig.frame(held);
     held.moved = 0;
     rig.frame(held);
-    EXPECT_TRUE(rig.stage.game().serving());
-    const Vec2 aimed = rig.stage.game().serveHeading();
+    EXPECT_TRUE(rig.stage.session().game().serving());
+    const Vec2 aimed = rig.stage.session().game().serveHeading();
     EXPECT_GT(aimed.x, before.x + Real(0.1));
     rig.frames(2);
-    EXPECT_FALSE(rig.stage.game().serving());
-    EXPECT_EQ(rig.stage.game().serveHeading(), aimed);
+    EXPECT_FALSE(rig.stage.session().game().serving());
+    EXPECT_EQ(rig.stage.session().game().serveHeading(), aimed);
 }
 
 TEST(Stage, SpaceServesAndTheHeldKeyMovesThePaddle) {
     StageRig rig(StageRig::playing());
     rig.frames(5);
-    EXPECT_TRUE(rig.stage.game().serving());
+    EXPECT_TRUE(rig.stage.session().game().serving());
     EXPECT_TRUE(rig.picture().says("space or click to serve"));
     rig.press(Command::Launch);
     rig.frames(2);
-    EXPECT_FALSE(rig.stage.game().serving());
+    EXPECT_FALSE(rig.stage.session().game().serving());
 
     const auto paddleX = [&] {
-        const Game& game = rig.stage.game();
+        const Game& game = rig.stage.session().game();
         return game.world()[game.paddle()].position().x;
     };
     const Real before = paddleX();
@@ -133,7 +133,7 @@ TEST(Stage, ThePaddleMovesAsFarAsTheMouse) {
     moved.moved = -6;
     rig.frame(moved);
     rig.frames(60);
-    const Game& game = rig.stage.game();
+    const Game& game = rig.stage.session().game();
     EXPECT_NEAR(game.world()[game.paddle()].position().x, -6, 0.1f);
 }
 

@@ -344,7 +344,7 @@ TEST(TextRoom, LongTextsOfALevelAreCutAndStayLegible) {
             canvas.begin(layout::kShown, {});
             canvas.setTextScale(static_cast<Real>(percent) / 100);
             const RunStatistics run;
-            paintResults(canvas, {room.stage.game(), run, 1, false, 9, {}});
+            paintResults(canvas, {room.stage.session().game(), run, 1, false, 9, {}});
             EXPECT_EQ(tinyTexts(canvas, window), std::vector<std::string>{});
         });
     }

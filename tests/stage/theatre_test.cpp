@@ -24,25 +24,25 @@ StageDef watching() {
 
 TEST(Theatre, SeekingGivesTheSameStateAsPlaying) {
     StageRig rig(watching());
-    while (rig.stage.game().ticks() < 900) {
+    while (rig.stage.session().game().ticks() < 900) {
         rig.frame();
     }
     rig.press(Command::Pause);
-    const std::uint32_t tick = rig.stage.game().ticks();
-    const std::uint64_t hash = rig.stage.game().stateHash();
+    const std::uint32_t tick = rig.stage.session().game().ticks();
+    const std::uint64_t hash = rig.stage.session().game().stateHash();
     rig.press(Command::Left);
-    EXPECT_EQ(rig.stage.game().ticks(), tick - 600);
+    EXPECT_EQ(rig.stage.session().game().ticks(), tick - 600);
     rig.press(Command::Right);
-    EXPECT_EQ(rig.stage.game().ticks(), tick);
-    EXPECT_EQ(rig.stage.game().stateHash(), hash);
+    EXPECT_EQ(rig.stage.session().game().ticks(), tick);
+    EXPECT_EQ(rig.stage.session().game().stateHash(), hash);
     rig.press(Command::Next);
-    EXPECT_EQ(rig.stage.game().ticks(), tick + 1);
+    EXPECT_EQ(rig.stage.session().game().ticks(), tick + 1);
     rig.press(Command::Restart);
-    EXPECT_EQ(rig.stage.game().ticks(), 0u);
+    EXPECT_EQ(rig.stage.session().game().ticks(), 0u);
     for (int i = 0; i < 10; ++i) {
         rig.press(Command::Left); // before the start
     }
-    EXPECT_EQ(rig.stage.game().ticks(), 0u);
+    EXPECT_EQ(rig.stage.session().game().ticks(), 0u);
 }
 
 /// Input of a mouse at this share of the bar.
@@ -61,10 +61,10 @@ TEST(Theatre, AClickOrADragOnTheBarGoesThere) {
     rig.press(Command::Pause);
     EXPECT_TRUE(rig.stage.wantsPointer());
     const auto expectTick = [&](Real share) {
-        EXPECT_NEAR(rig.stage.game().ticks(), share * kLength, 1);
+        EXPECT_NEAR(rig.stage.session().game().ticks(), share * kLength, 1);
     };
     rig.frame(mouseOnBar(Real(0.5), false, false));
-    EXPECT_EQ(rig.stage.game().ticks(), 0u) << "without a button";
+    EXPECT_EQ(rig.stage.session().game().ticks(), 0u) << "without a button";
     rig.frame(mouseOnBar(Real(0.5), true, true));
     expectTick(Real(0.5));
     Signals drag = mouseOnBar(Real(0.25), false, true);
@@ -79,9 +79,9 @@ TEST(Theatre, AClickOrADragOnTheBarGoesThere) {
     rig.click({0, 9});
     expectTick(Real(0.75));
     rig.frame(mouseOnBar(Real(1), true, false));
-    EXPECT_EQ(rig.stage.game().ticks(), kLength);
+    EXPECT_EQ(rig.stage.session().game().ticks(), kLength);
     rig.frame(mouseOnBar(Real(0), true, false));
-    EXPECT_EQ(rig.stage.game().ticks(), 0u);
+    EXPECT_EQ(rig.stage.session().game().ticks(), 0u);
     rig.press(Command::Confirm); // takes over
     rig.press(Command::Confirm); // goes on
     EXPECT_FALSE(rig.stage.wantsPointer());
@@ -120,16 +120,19 @@ TEST(Theatre, AGameTakenOverIsRecordedFromTheFirstTick) {
     rig.press(Command::Right);
     rig.press(Command::Confirm);
     EXPECT_EQ(rig.stage.screen(), Screen::Paused) << "it waits for the player";
-    const std::uint32_t from = rig.stage.game().ticks();
-    const Real place = rig.stage.game().world()[rig.stage.game().paddle()].position().x;
+    const std::uint32_t from = rig.stage.session().game().ticks();
+    const Real place =
+        rig.stage.session().game().world()[rig.stage.session().game().paddle()].position().x;
     rig.frames(30);
-    EXPECT_EQ(rig.stage.game().ticks(), from);
+    EXPECT_EQ(rig.stage.session().game().ticks(), from);
     EXPECT_TRUE(rig.picture().says("replay at 0:05 of"));
     EXPECT_TRUE(rig.picture().says("The score does not count"));
     rig.press(Command::Confirm);
     EXPECT_TRUE(rig.picture().says("WHAT IF   no score"));
     rig.frames(3);
-    EXPECT_NEAR(rig.stage.game().world()[rig.stage.game().paddle()].position().x, place, 0.5)
+    EXPECT_NEAR(
+        rig.stage.session().game().world()[rig.stage.session().game().paddle()].position().x, place,
+        0.5)
         << "the mouse has not moved";
     rig.frames(57);
     rig.press(Command::Pause);
@@ -248,17 +251,17 @@ TEST(Theatre, ARunIsShownLevelByLevelAndFromItsStartAgain) {
     def.show = idle(def.levels[0]);
     def.show->next = [second] { return second; };
     StageRig rig(std::move(def));
-    EXPECT_EQ(rig.stage.game().level().title, "One block");
+    EXPECT_EQ(rig.stage.session().game().level().title, "One block");
     rig.press(Command::Up); // twice the speed, kept in the next level
-    for (int i = 0; i < 600 && rig.stage.game().level().title == "One block"; ++i) {
+    for (int i = 0; i < 600 && rig.stage.session().game().level().title == "One block"; ++i) {
         rig.frame();
     }
-    EXPECT_EQ(rig.stage.game().level().title, "Three blocks");
+    EXPECT_EQ(rig.stage.session().game().level().title, "Three blocks");
     EXPECT_EQ(rig.stage.screen(), Screen::Playing);
     EXPECT_TRUE(rig.picture().says("2 x"));
     rig.untilOver();
     rig.clickItem(Action::Restart);
-    EXPECT_EQ(rig.stage.game().level().title, "One block");
+    EXPECT_EQ(rig.stage.session().game().level().title, "One block");
 }
 
 TEST(Theatre, ARunWhoseNextLevelCannotBePlayedEndsWithANotice) {

@@ -85,12 +85,12 @@ std::string filmFile() {
 
 int play(StageDef def, const Options& options) {
     using Clock = std::chrono::steady_clock;
-    def.copy = [page = options.page](const std::string& text) {
+    def.sharing.copy = [page = options.page](const std::string& text) {
         std::string whole = text;
         whole.insert(whole.find("#replay="), page);
         sf::Clipboard::setString(whole);
     };
-    def.film = [](const Rerun& fall) {
+    def.sharing.film = [](const Rerun& fall) {
         const std::string path = filmFile();
         const std::string problem = writeFilm(fall, path);
         return problem.empty() ? "The film is in " + path : problem;
@@ -104,7 +104,7 @@ int play(StageDef def, const Options& options) {
     watchForInterruption();
     auto last = Clock::now();
     while (!stage.wantsToQuit()) {
-        controls.setBindings(stage.profile().bindings);
+        controls.setBindings(stage.records().profile().bindings);
         Signals signals = controls.poll();
         signals.closed = signals.closed || isInterrupted();
         const auto now = Clock::now();
@@ -150,7 +150,8 @@ int timeFrames(StageDef def, const Options& options) {
         stage.draw(canvas);
         const auto drawn = Clock::now();
         window.show(canvas.picture(), kBlack);
-        if (const std::size_t bodies = stage.game().world().bodyCount(); bodies >= options.crowd) {
+        if (const std::size_t bodies = stage.session().game().world().bodyCount();
+            bodies >= options.crowd) {
             times.add({secondsBetween(start, played), secondsBetween(played, drawn),
                        secondsBetween(drawn, Clock::now()),
                        static_cast<double>(std::clock() - busy) / CLOCKS_PER_SEC},

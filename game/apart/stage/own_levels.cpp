@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/assets.hpp>
-#include <apart/core/daily.hpp>
-#include <apart/core/endless.hpp>
 #include <apart/stage/own_levels.hpp>
+#include <apart/stage/records/replay_store.hpp>
 
 #include <algorithm>
 #include <memory>
@@ -15,11 +14,6 @@ namespace apart {
 namespace fs = std::filesystem;
 
 namespace {
-
-/// Reason why no level of the player can have this name; "" if one can.
-std::string problemOfName(const std::string& name) {
-    return dayOf(name) ? "is the name of a daily run" : levelNameProblem(name);
-}
 
 bool isListed(const LevelList& levels, const std::string& name) {
     return std::any_of(levels.begin(), levels.end(),
@@ -69,10 +63,6 @@ private:
 
 } // namespace
 
-bool isRecorded(const Level& level) {
-    return parseEndless(level.name) || problemOfName(level.name).empty();
-}
-
 void addOwnLevels(StageDef& def, const fs::path& folder) {
     std::vector<fs::path> files;
     std::error_code error;
@@ -85,7 +75,7 @@ void addOwnLevels(StageDef& def, const fs::path& folder) {
     std::sort(files.begin(), files.end());
     for (const fs::path& file : files) {
         const std::string name = file.stem().string();
-        if (const std::string problem = problemOfName(name); !problem.empty()) {
+        if (const std::string problem = ownNameProblem(name); !problem.empty()) {
             def.leftOut.push_back(file.string() + ": " + name + " " + problem +
                                   ". The level is left out.");
             continue;
@@ -114,7 +104,7 @@ std::string takeLevelFile(StageDef& def, const fs::path& file,
     }
     Level level = std::get<Level>(std::move(read));
     const std::string name = level.name;
-    std::string problem = problemOfName(name);
+    std::string problem = ownNameProblem(name);
     if (problem.empty() && isListed(def.levels, name) && !isIn(folders, file)) {
         problem = "is the name of another level";
     }

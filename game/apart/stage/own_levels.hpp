@@ -11,9 +11,6 @@
 
 namespace apart {
 
-/// True if scores and replays of this level can be kept: a replay can hold its name.
-bool isRecorded(const Level& level);
-
 /// Adds the valid levels of the player's folder, by name. Each of the others is a notice.
 void addOwnLevels(StageDef& def, const std::filesystem::path& folder);
 

@@ -3,10 +3,7 @@
 
 #include <apart/stage/controls/input_mapper.hpp>
 #include <apart/stage/painters/hud.hpp>
-#include <apart/stage/play/endless_run.hpp>
-#include <apart/stage/play/session.hpp>
-#include <apart/stage/records/campaign.hpp>
-#include <apart/stage/records/theatre.hpp>
+#include <apart/stage/play/games.hpp>
 #include <apart/stage/screens/confirm.hpp>
 #include <apart/stage/screens/duel.hpp>
 #include <apart/stage/screens/editor_screen.hpp>
@@ -14,6 +11,7 @@
 #include <apart/stage/screens/key_screen.hpp>
 #include <apart/stage/screens/level_map.hpp>
 #include <apart/stage/screens/menus.hpp>
+#include <apart/stage/screens/outcome.hpp>
 #include <apart/stage/screens/reload.hpp>
 
 #include <functional>
@@ -30,29 +28,19 @@ struct LevelChange {
     std::vector<std::string> errors{};
 };
 
-struct StageDef {
-    LevelList levels; // at least one
+struct StageDef : GameSource {
     Campaign campaign{};
     std::size_t firstLevel = 0;
     bool startAtOnce = false; // in the first level, without the title screen
     bool duel = false;        // starts in the first level with two players
-    std::uint32_t seed = 1;   // of the first game, incremented for each further game
     Profile profile{};
     Keeping keeping{};
     ScoreStore scores{};                // the best games
     std::vector<MedalMarks> marks{};    // of the levels
     std::vector<std::string> leftOut{}; // sentences: the first error of each level that is left out
     std::vector<std::string> notices{}; // shown on the title screen, below the first of these
-    /// Number of the endless level to start with; 0: none.
-    std::uint32_t firstEndless = 0;
-    /// The endless level of a seed and a number from 1. Empty if there are no endless levels.
-    std::function<std::shared_ptr<const Level>(std::uint32_t, std::uint32_t)> endless{};
-    /// The seed of a new endless run. Empty: that of the first game.
-    std::function<std::uint32_t()> endlessSeed{};
-    /// The current day, for daily runs, and their levels.
-    std::function<Day()> today{};
-    std::function<std::shared_ptr<const Level>(Day, std::uint32_t)> daily{};
-    Day firstDay = 0; // of the daily run to start with; 0: none
+    std::function<Day()> today{};       // the current day, for daily runs
+    Day firstDay = 0;                   // of the daily run to start with; 0: none
     /// Called twice a second, if set: the first level, if its file has changed.
     std::function<std::optional<LevelChange>()> reload{};
     /// Replays to watch, the latest first.
@@ -63,13 +51,7 @@ struct StageDef {
     /// cannot be edited.
     std::function<EditorStart(const Level* level)> edit{};
     std::optional<EditorStart> firstEdit{}; // starts at once
-    /// Copies a text to the clipboard, where there is one.
-    std::function<void(const std::string&)> copy{};
-    /// Writes a film of a fall. Returns what to tell the player, as a sentence.
-    std::function<std::string(const Rerun&)> film{};
-    std::optional<Replay> rival{}; // played beside the games of its level, instead of the best one
-    Pilot bot{};                   // plays behind the title screen, if set
-    Pilot pilot{};                 // plays all games instead of the player, if set
+    Sharing sharing{};
 };
 
 enum class Screen : std::uint8_t {
@@ -124,16 +106,13 @@ public:
     bool wantsToQuit() const { return quit_; }
     bool wantsPointer() const {
         return screen_ == Screen::Duel ? duel_->phase() != Duel::Phase::Playing
-                                       : screen_ != Screen::Playing || session_.isShow();
+                                       : screen_ != Screen::Playing || session().isShow();
     }
     Screen screen() const { return screen_; }
-    const Game& game() const { return session_.game(); }
-    const Profile& profile() const { return records_.profile(); }
-    const Settings& settings() const { return profile().settings; }
+    const Session& session() const { return games_.session(); }
     const Records& records() const { return records_; }
     const Menu& menu() const { return menu_; }
     const LevelMap& levelMap() const { return map_; }
-    const std::optional<Ghost>& ghost() const { return session_.ghost(); }
     const EditorScreen* editor() const { return editor_.get(); } // nullptr: none is open
     const Duel* duel() const { return duel_.get(); }             // nullptr: there was none
     /// True if the bot plays without a menu: the title screen has had no input for a while.
@@ -160,40 +139,23 @@ private:
     void back();
     void act(const MenuOutcome& outcome);
 
-    // Screens and games.
+    // Screens.
     void toTitle();
     void toLevels(bool duel = false);
     void toOptions(int page = 0);
+    void toGame();
+    void toReplays();
     void open(Screen screen, Menu menu);
     void begin(std::size_t level, bool namesBoss = false);
-    void beginEndless(std::uint32_t number);
-    void beginRun(Day day);
     void beginDuel(std::size_t level);
-    void enterShow();
-    void beginGame(std::shared_ptr<const Level> level, std::uint32_t seed);
-    void enter(std::unique_ptr<Play> play, Session::Kind kind);
-    void again();
     void next();
-    void demo(std::size_t level);
-    void tick(Speaker& speaker);
+    void edit(EditorStart start);
     void finish();
     void reloadLevel();
-    void keepGame();
-    void edit(EditorStart start);
-    bool takeShare(const Signals& signals);
-
-    /// What is played: by the player, or by the bot behind a menu.
-    struct Played {
-        std::size_t level = 0; // of the list, if no endless one
-        EndlessRun endless{};
-        std::uint32_t games = 0; // number of games started by the player
-        std::size_t demos = 0;   // number of games started by the bot
-    };
 
     /// The replays, and the one that is shown.
     struct Watched {
         ReplayList list{};
-        Theatre theatre{};
         Reload divergence{}; // news of the replay
     };
 
@@ -205,23 +167,13 @@ private:
         std::optional<HelpPage> help{}; // of Screen::Help
     };
 
-    /// The result screen.
-    struct Outcome {
-        double seconds = 0;   // since it appeared, or the name of a boss
-        bool entered = false; // its score is one of the player's
-        bool newBest = false;
-        std::vector<std::string> notes{}; // sentences for the player
-        std::optional<Rerun> rerun{};     // behind it
-    };
-
     StageDef def_;
+    Records records_;
+    Games games_; // of def_, into records_
     Screen screen_ = Screen::Title;
     bool quit_ = false;
-    Session session_;
-    Played played_;
     Watched watched_;
     Pages pages_;
-    Records records_;
     Confirm confirm_;
     Reload reload_;
     InputMapper inputMapper_;

@@ -8,9 +8,9 @@ namespace apart {
 
 void Stage::edit(EditorStart start) {
     if (screen_ == Screen::Title) {
-        demo(played_.level); // behind the editor, if it is the first screen
+        games_.demo(games_.level(), false); // behind the editor, if it is the first screen
     }
-    editor_ = std::make_unique<EditorScreen>(std::move(start), profile().audible());
+    editor_ = std::make_unique<EditorScreen>(std::move(start), records_.profile().audible());
     screen_ = Screen::Editor;
 }
 
@@ -23,8 +23,8 @@ bool Stage::takeEditor(const Signals& signals) {
                       : command == Command::Restart ? Wish::Try
                                                     : Wish::None;
     if (wish == Wish::Try) {
-        played_.endless = {};
-        enter(editor_->trialPlay(), Session::Kind::Own);
+        games_.beginTry(editor_->trialPlay());
+        toGame();
         return true;
     }
     if (!edits) {
@@ -36,7 +36,7 @@ bool Stage::takeEditor(const Signals& signals) {
     if (wish == Wish::None) {
         return true;
     }
-    std::size_t shown = played_.level;
+    std::size_t shown = games_.level();
     if (editor_->wasSaved() && editor_->start().listed) { // it stands among the levels from now on
         const std::shared_ptr<const Level>& saved = editor_->document().saved();
         const auto found =
@@ -52,7 +52,7 @@ bool Stage::takeEditor(const Signals& signals) {
         map_.setLevels(def_.levels);
     }
     editor_.reset();
-    played_.level = shown;
+    games_.choose(shown);
     toLevels();
     return true;
 }

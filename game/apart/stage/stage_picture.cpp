@@ -223,58 +223,60 @@ void paintTitleScreen(Canvas& canvas, const Menu& menu, double seconds,
 
 HudLook hudLookOf(const Stage& stage) {
     HudLook look;
-    const Session& session = stage.session_;
-    const EndlessRun& run = stage.played_.endless;
+    const Session& session = stage.session();
+    const EndlessRun& run = stage.games_.run();
     const bool replay = session.isShow() || session.isWhatIf();
-    look.place = placeOf(stage.game().level(), stage.def_.levels, run.number,
-                         replay ? stage.watched_.theatre.show().day : run.day);
+    look.place = placeOf(stage.session().game().level(), stage.def_.levels, run.number,
+                         replay ? stage.games_.theatre().show().day : run.day);
     look.scoreBefore = run.number > 0 ? run.score : 0;
-    look.best = stage.records_.provedScore(stage.game().mode(), run.keyOf(stage.game()));
-    look.ways = session.statistics().way.ways(stage.game().level());
-    look.keys = stage.profile().bindings;
-    look.muted = stage.profile().audible().sound == 0;
+    look.best = stage.records_.provedScore(stage.session().game().mode(),
+                                           run.keyOf(stage.session().game()));
+    look.ways = session.statistics().way.ways(stage.session().game().level());
+    look.keys = stage.records_.profile().bindings;
+    look.muted = stage.records_.profile().audible().sound == 0;
     if (session.isShow()) {
-        look.pilot = stage.watched_.theatre.paused()
+        look.pilot = stage.games_.theatre().paused()
                          ? "REPLAY  paused"
-                         : "REPLAY  " + stage.watched_.theatre.speedText() + " x";
-        look.foot = stage.watched_.theatre.timeText(session.clock());
+                         : "REPLAY  " + stage.games_.theatre().speedText() + " x";
+        look.foot = stage.games_.theatre().timeText(session.clock());
     } else if (session.isWhatIf()) {
         look.pilot = "WHAT IF   no score";
         look.takenOver = true;
         look.foot =
-            takenOverText(stage.watched_.list, stage.watched_.theatre, session.takenOverAt());
+            takenOverText(stage.watched_.list, stage.games_.theatre(), session.takenOverAt());
     }
     return look;
 }
 
 ShownGame shownBy(const Stage& stage) {
     const bool help = stage.screen_ == Screen::Help && stage.pages_.help;
-    const bool wide = (stage.session_.isDemo() && stage.screen_ != Screen::Editor) || help;
-    if (stage.over_.rerun) {
-        return {stage.over_.rerun->play().game(), {}, wide};
+    const bool wide = (stage.session().isDemo() && stage.screen_ != Screen::Editor) || help;
+    if (stage.games_.end().rerun) {
+        return {stage.games_.end().rerun->play().game(), {}, wide};
     }
-    return {stage.game(), wide ? Closeup{} : stage.session_.closeup(), wide};
+    return {stage.session().game(), wide ? Closeup{} : stage.session().closeup(), wide};
 }
 
 void paintOver(Canvas& canvas, const Stage& stage) {
-    const Stage::Outcome& over = stage.over_;
-    const EndlessRun& run = stage.played_.endless;
+    const GameEnd& end = stage.games_.end();
+    const EndlessRun& run = stage.games_.run();
     if (stage.screen_ == Screen::Ending) {
-        paintEnding(canvas, stage.game(), stage.session_.statistics(),
-                    tallyOf(stage.def_.levels, stage.def_.campaign, stage.profile(),
+        paintEnding(canvas, stage.session().game(), stage.session().statistics(),
+                    tallyOf(stage.def_.levels, stage.def_.campaign, stage.records_.profile(),
                             stage.records_.marks()));
         return stage.menu_.draw(canvas);
     }
-    paintVeil(canvas, faded(palette::kNight, over.rerun ? 0.55f : 0.72f));
-    paintResults(canvas, {stage.game(), stage.session_.statistics(),
-                          stage.game().score() + (run.number > 0 ? run.score : 0), over.newBest,
-                          over.seconds,
+    paintVeil(canvas, faded(palette::kNight, end.rerun ? 0.55f : 0.72f));
+    paintResults(canvas, {stage.session().game(), stage.session().statistics(),
+                          stage.session().game().score() + (run.number > 0 ? run.score : 0),
+                          end.newBest, stage.over_.seconds,
                           run.number > 0 ? std::span<const MedalMarks>() : stage.records_.marks()});
-    paintNotices(canvas,
-                 resultNotes(stage.reload_, over.notes, over.entered ? &stage.records_ : nullptr),
-                 kGameNotices);
-    if (stage.def_.copy) {
-        const bool film = stage.def_.film && over.rerun;
+    paintNotices(
+        canvas,
+        resultNotes(stage.reload_, stage.over_.notes, end.entered ? &stage.records_ : nullptr),
+        kGameNotices);
+    if (stage.def_.sharing.copy) {
+        const bool film = stage.def_.sharing.film && end.rerun;
         canvas.text(film ? "C: copy a link to this game      G: film of the fall"
                          : "C: copy a link to this game",
                     {0, Real(16.7)}, quiet(Real(0.42)));
@@ -284,13 +286,13 @@ void paintOver(Canvas& canvas, const Stage& stage) {
 
 /// Words over a game or a replay, and the pending question.
 void paintPlaying(Canvas& canvas, const Stage& stage, std::string_view question) {
-    const Session& session = stage.session_;
+    const Session& session = stage.session();
     if (session.isShow()) {
         paintReload(canvas, stage.watched_.divergence, stage.seconds_);
-        return paintTheatre(canvas, stage.watched_.theatre, session.clock(),
+        return paintTheatre(canvas, stage.games_.theatre(), session.clock(),
                             stage.watched_.list.leadsFrom(session) ? "all replays" : "menu");
     }
-    const Bindings& keys = stage.profile().bindings;
+    const Bindings& keys = stage.records_.profile().bindings;
     const Reload& reload = stage.reload_;
     paintReload(canvas, reload, stage.seconds_);
     paintQuestion(canvas, question, Real(4.3)); // if there is one
@@ -309,37 +311,38 @@ void Stage::draw(Canvas& canvas) const {
     const Closeup& closeup = shown.closeup;
     const bool still = help || screen_ == Screen::Duel;
     canvas.begin(shown.wide ? layout::kShownTitle : layout::kShown,
-                 still ? Vec2{} : session_.play().juice().shake());
-    canvas.setPalette(static_cast<Vision>(std::clamp(settings().colors, 0, 3)));
-    canvas.setTextScale(static_cast<Real>(settings().text) / 100);
+                 still ? Vec2{} : session().play().juice().shake());
+    canvas.setPalette(static_cast<Vision>(std::clamp(records_.profile().settings.colors, 0, 3)));
+    canvas.setTextScale(static_cast<Real>(records_.profile().settings.text) / 100);
     if (help) {
-        return pages_.help->draw(canvas, profile().bindings);
+        return pages_.help->draw(canvas, records_.profile().bindings);
     }
     if (screen_ == Screen::Editor) {
         return editor_->draw(canvas, seconds_);
     }
     if (screen_ == Screen::Duel) {
-        return duel_->draw(canvas, profile().bindings);
+        return duel_->draw(canvas, records_.profile().bindings);
     }
     const bool words = screen_ == Screen::Playing || attracting();
     canvas.zoom(closeup.focus, closeup.scale);
-    paintBackdrop(canvas, game().level().theme, seconds_);
-    if (over_.rerun) {
-        over_.rerun->play().draw(canvas, over_.rerun->share(), layout::kShown, words);
+    paintBackdrop(canvas, session().game().level().theme, seconds_);
+    if (games_.end().rerun) {
+        games_.end().rerun->play().draw(canvas, games_.end().rerun->share(), layout::kShown, words);
     } else {
-        session_.play().draw(canvas, session_.share(), shownBy(closeup), words);
-        if (session_.ghost() && screen_ < Screen::Over) {
-            session_.ghost()->draw(canvas, session_.share(), share(settings().ghost));
+        session().play().draw(canvas, session().share(), shownBy(closeup), words);
+        if (session().ghost() && screen_ < Screen::Over) {
+            session().ghost()->draw(canvas, session().share(),
+                                    share(records_.profile().settings.ghost));
         }
     }
     canvas.zoom({}, 1);
     if (closeup.scale > 1) {
-        paintPanelBack(canvas, game().level().theme);
+        paintPanelBack(canvas, session().game().level().theme);
     }
     if (!shown.wide) {
-        paintHud(canvas, game(), hudLookOf(*this));
+        paintHud(canvas, session().game(), hudLookOf(*this));
     }
-    const std::string question = questionOf(confirm_.question(seconds_), session_, played_.endless);
+    const std::string question = questionOf(confirm_.question(seconds_), session(), games_.run());
     switch (screen_) {
     case Screen::Title:
         return attracting() ? paintAttract(canvas, seconds_)
@@ -351,10 +354,10 @@ void Stage::draw(Canvas& canvas) const {
         return paintOptions(canvas, menu_, confirm_.question(seconds_));
     case Screen::Keys:
         paintVeil(canvas, faded(palette::kNight, 0.84f));
-        return pages_.keys.draw(canvas, profile().bindings);
+        return pages_.keys.draw(canvas, records_.profile().bindings);
     case Screen::Records:
         paintVeil(canvas, faded(palette::kNight, 0.84f));
-        paintStatistics(canvas, profile().totals);
+        paintStatistics(canvas, records_.profile().totals);
         return menu_.draw(canvas);
     case Screen::Replays:
         return paintReplays(canvas, menu_, def_.replayFolder);
@@ -365,10 +368,10 @@ void Stage::draw(Canvas& canvas) const {
     case Screen::Playing:
         return paintPlaying(canvas, *this, question);
     case Screen::Paused:
-        paintPaused(canvas, menu_, question, hudLookOf(*this), game().level());
+        paintPaused(canvas, menu_, question, hudLookOf(*this), session().game().level());
         return paintNotices(canvas, reload_.notes(), kGameNotices);
     case Screen::BossCard:
-        return paintBossCard(canvas, game().level(), over_.seconds);
+        return paintBossCard(canvas, session().game().level(), over_.seconds);
     case Screen::Ending:
     case Screen::Over:
         return paintOver(canvas, *this);

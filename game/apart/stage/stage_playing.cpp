@@ -5,9 +5,10 @@
 namespace apart {
 
 void Stage::takePlaying(const Signals& signals) {
-    const Game& game = session_.game();
+    const Game& game = session().game();
     const Real paddleX = game.world()[game.paddle()].position().x;
-    inputMapper_.take(signals, paddleX, static_cast<Real>(settings().mouse / 100.0));
+    inputMapper_.take(signals, paddleX,
+                      static_cast<Real>(records_.profile().settings.mouse / 100.0));
     const bool over = game.result() != Result::Playing;
     const bool clickLaunches = game.serving() || game.state().secondsLeft(Power::Spring) > 0;
     const auto serve = game.serving() ? std::optional(game.serveHeading()) : std::nullopt;
@@ -29,13 +30,14 @@ void Stage::takePlaying(const Signals& signals) {
         case Command::Back:
         case Command::Pause:
             return over ? finish()
-                        : open(Screen::Paused, pauseMenu(watched_.list.leadsFrom(session_)));
+                        : open(Screen::Paused, pauseMenu(watched_.list.leadsFrom(session())));
         case Command::Restart:
             if (mayEnd(Ending::Restart)) {
                 if (over) {
                     finish();
                 }
-                return again();
+                games_.again();
+                return toGame();
             }
             break;
         default:
@@ -43,29 +45,29 @@ void Stage::takePlaying(const Signals& signals) {
         }
     }
     if (signals.focusLost && !over) {
-        open(Screen::Paused, pauseMenu(watched_.list.leadsFrom(session_)));
+        open(Screen::Paused, pauseMenu(watched_.list.leadsFrom(session())));
     }
 }
 
 void Stage::takeShow(const Signals& signals) {
     const auto seek = [&](std::int64_t tick) {
-        session_.seek(tick, watched_.theatre.show().pilot, settings());
+        games_.session().seek(tick, games_.theatre().show().pilot, records_.profile().settings);
     };
-    if (const std::optional<std::int64_t> tick = watched_.theatre.drag(signals)) {
+    if (const std::optional<std::int64_t> tick = games_.theatre().drag(signals)) {
         seek(*tick);
     }
     for (const Command command : signals.commands) {
         if (command == Command::Back) {
-            return watched_.list.leadsFrom(session_) ? act({Action::Replays})
-                                                     : open(Screen::Paused, pauseMenu(false));
+            return watched_.list.leadsFrom(session()) ? act({Action::Replays})
+                                                      : open(Screen::Paused, pauseMenu(false));
         }
-        const Theatre::Request request = watched_.theatre.take(command, game().ticks());
+        const Theatre::Request request = games_.theatre().take(command, session().game().ticks());
         if (request.tick) {
             seek(*request.tick);
         }
-        if (request.takeOver && game().result() == Result::Playing) {
-            session_.takeOver();
-            return open(Screen::Paused, pauseMenu(watched_.list.leadsFrom(session_)));
+        if (request.takeOver && session().game().result() == Result::Playing) {
+            games_.session().takeOver();
+            return open(Screen::Paused, pauseMenu(watched_.list.leadsFrom(session())));
         }
     }
 }

@@ -32,9 +32,9 @@ std::vector<std::string> Reload::notes() const {
 void Stage::reloadLevel() {
     constexpr double kEvery = 0.5; // s
     std::shared_ptr<const Level>& known = def_.levels[def_.firstLevel];
-    const bool own = session_.kind() == Session::Kind::Own && played_.endless.number == 0 &&
-                     game().level().name == known->name;
-    const bool over = game().result() != Result::Playing;
+    const bool own = !editor_ && session().kind() == Session::Kind::Own &&
+                     games_.run().number == 0 && session().game().level().name == known->name;
+    const bool over = session().game().result() != Result::Playing;
     const bool playing = screen_ == Screen::Playing;
     if (!def_.reload || (own && over && playing)) {
         return; // its score is entered first
@@ -46,12 +46,12 @@ void Stage::reloadLevel() {
             reload_.faults = std::move(change->errors);
         }
         if (change && change->level && *change->level != *known) {
-            reload_.due = own && !over && differInPlay(game().level(), *change->level);
+            const bool ends = differInPlay(session().game().level(), *change->level);
             reload_.news =
-                own && !over && !reload_.due ? "The next game shows the new texts and theme." : "";
+                own && !over && !ends ? "The next game shows the new texts and theme." : "";
             reload_.newsAt = seconds_;
             if (digestOf(*change->level) != digestOf(*known)) {
-                const Best best = profile().bestOf(profile().mode, known->name);
+                const Best best = records_.profile().bestOf(records_.profile().mode, known->name);
                 reload_.news = best.score > 0
                                    ? fmt::format("The level has changed: a new table of scores "
                                                  "begins. {} of its earlier content are kept.",
@@ -64,7 +64,7 @@ void Stage::reloadLevel() {
             map_.update(records_);
         }
     }
-    if (reload_.due && playing) {
+    if (own && playing && differInPlay(session().game().level(), *known)) {
         reload_.newsAt = seconds_;
         begin(def_.firstLevel);
     }

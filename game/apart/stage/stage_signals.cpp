@@ -62,13 +62,13 @@ TitleOffer offerOf(const StageDef& def, std::size_t level) {
 
 void Stage::toTitle() {
     screen_ = Screen::Title;
-    played_.level = map_.nextLevel(records_);
-    demo(played_.level);
+    games_.choose(map_.nextLevel(records_));
+    games_.demo(games_.level(), true);
     if (def_.endless) {
-        records_.checkFirst(profile().mode, dailyKey(offerOf(def_, played_.level).today));
-        records_.checkFirst(profile().mode, kEndlessKey);
+        records_.checkFirst(records_.profile().mode, dailyKey(offerOf(def_, games_.level()).today));
+        records_.checkFirst(records_.profile().mode, kEndlessKey);
     }
-    open(Screen::Title, titleMenu(offerOf(def_, played_.level), records_));
+    open(Screen::Title, titleMenu(offerOf(def_, games_.level()), records_));
 }
 
 /// `duel`: the chosen level is played by two players.
@@ -76,15 +76,31 @@ void Stage::toLevels(bool duel) {
     screen_ = Screen::Levels;
     map_.setDuel(duel);
     map_.update(records_);
-    map_.choose(played_.level);
-    demo(played_.level);
+    map_.choose(games_.level());
+    games_.demo(games_.level(), false);
     checkScores(records_, def_.levels, map_.chosen());
+}
+
+/// The game goes on, or begins.
+void Stage::toGame() {
+    screen_ = Screen::Playing;
+    inputMapper_.letGo();
+}
+
+void Stage::toReplays() {
+    if (!session().isDemo()) {
+        games_.choose(map_.nextLevel(records_));
+        games_.demo(games_.level(), true);
+    }
+    watched_.list.entries = withScores(def_.replays(), records_.profile());
+    open(Screen::Replays, replaysMenu(watched_.list.entries));
+    menu_.chooseAt(watched_.list.shown.value_or(0));
 }
 
 void Stage::toOptions(int page) {
     pages_.behind = screen_ == Screen::Options ? pages_.behind : screen_;
     pages_.dials = page % static_cast<int>(kDialPages.size());
-    open(Screen::Options, optionsMenu(settings(), pages_.dials));
+    open(Screen::Options, optionsMenu(records_.profile().settings, pages_.dials));
 }
 
 void Stage::take(const Signals& signals, Speaker& speaker) {
@@ -122,25 +138,25 @@ void Stage::takeOne(const Signals& signals, Speaker& speaker) {
     if (editor_ && takeEditor(signals)) { // its keys have meanings of their own
         return;
     }
-    if (screen_ == Screen::Over && takeShare(signals)) {
+    if (screen_ == Screen::Over && over_.take(signals, games_, def_.sharing)) {
         return;
     }
     if (!signals.commands.empty() && signals.commands[0] == Command::Mute) {
         records_.profile().muted = !records_.profile().muted;
-        session_.setSettings(profile().audible());
+        games_.session().setSettings(records_.profile().audible());
         return records_.save();
     }
     switch (screen_) {
     case Screen::Levels:
         return takeLevels(signals, speaker);
     case Screen::Playing:
-        return session_.isShow() ? takeShow(signals) : takePlaying(signals);
+        return session().isShow() ? takeShow(signals) : takePlaying(signals);
     case Screen::Duel:
-        return takeDuel(signals) ? chirp(speaker, profile().audible().sound, true) : void();
+        return takeDuel(signals) ? chirp(speaker, records_.profile().audible().sound, true)
+                                 : void();
     case Screen::BossCard:
         if (signals.clicked || !signals.commands.empty()) {
-            screen_ = Screen::Playing;
-            inputMapper_.letGo();
+            toGame();
         }
         return;
     default:
@@ -149,13 +165,13 @@ void Stage::takeOne(const Signals& signals, Speaker& speaker) {
 }
 
 void Stage::takeKeys(const Signals& signals, Speaker& speaker) {
-    const Bindings before = profile().bindings;
+    const Bindings before = records_.profile().bindings;
     const bool left = pages_.keys.take(signals, records_.profile().bindings);
-    if (left || profile().bindings != before) {
-        chirp(speaker, profile().audible().sound, true);
+    if (left || records_.profile().bindings != before) {
+        chirp(speaker, records_.profile().audible().sound, true);
     }
     if (left) {
-        open(Screen::Options, optionsMenu(settings(), 0));
+        open(Screen::Options, optionsMenu(records_.profile().settings, 0));
         menu_.choose(Action::Keys);
     }
 }
@@ -174,11 +190,11 @@ void Stage::takeLevels(const Signals& signals, Speaker& speaker) {
         return edit(def_.edit(fresh ? nullptr : def_.levels[before].get()));
     }
     if (const std::optional<std::size_t> level = map_.take(signals)) {
-        chirp(speaker, profile().audible().sound, true);
+        chirp(speaker, records_.profile().audible().sound, true);
         map_.forDuel() ? beginDuel(*level) : begin(*level, true);
     } else if (map_.chosen() != before) {
-        chirp(speaker, profile().audible().sound, false);
-        demo(map_.chosen());
+        chirp(speaker, records_.profile().audible().sound, false);
+        games_.demo(map_.chosen(), false);
         checkScores(records_, def_.levels, map_.chosen());
     }
 }
@@ -202,7 +218,8 @@ bool Stage::takeShortcut(Command command) {
     }
     if (command == Command::Restart && (paused || over)) {
         if (mayEnd(Ending::Restart)) {
-            again();
+            games_.again();
+            toGame();
         }
         return true;
     }
@@ -215,20 +232,17 @@ bool Stage::takeShortcut(Command command) {
 
 /// True if no points are lost by it, or if it was asked for twice.
 bool Stage::mayEnd(Ending ending) {
-    const bool own = session_.kind() == Session::Kind::Own || session_.isWhatIf();
-    const bool points = game().score() > 0 || played_.endless.score > 0;
-    const bool loses = own && points && game().result() == Result::Playing;
-    return !loses || confirm_.ask(ending, seconds_);
+    return !games_.hasStake() || confirm_.ask(ending, seconds_);
 }
 
 void Stage::quit() {
-    const bool fanfare = screen_ == Screen::Playing && session_.kind() == Session::Kind::Own &&
-                         game().result() != Result::Playing;
+    const bool fanfare = screen_ == Screen::Playing && session().kind() == Session::Kind::Own &&
+                         session().game().result() != Result::Playing;
     if (fanfare) {
         finish(); // its result is not entered yet
     }
     quit_ = true;
-    keepGame();
+    games_.keep();
     records_.close();
 }
 
@@ -237,8 +251,7 @@ void Stage::back() {
     case Screen::Title:
         return confirm_.ask(Ending::Quit, seconds_) ? quit() : void();
     case Screen::Paused:
-        screen_ = Screen::Playing;
-        return inputMapper_.letGo();
+        return toGame();
     case Screen::Options:
     case Screen::Help: {
         const Action left = screen_ == Screen::Options ? Action::Options : Action::Help;
@@ -250,7 +263,7 @@ void Stage::back() {
             screen_ = Screen::Duel;
             return;
         } else {
-            open(Screen::Paused, pauseMenu(watched_.list.leadsFrom(session_)));
+            open(Screen::Paused, pauseMenu(watched_.list.leadsFrom(session())));
         }
         return menu_.choose(left);
     }
@@ -260,8 +273,9 @@ void Stage::back() {
         toTitle();
         return menu_.choose(Action::Records);
     default:
-        return screen_ == Screen::Over && watched_.list.leadsFrom(session_) ? act({Action::Replays})
-                                                                            : toTitle();
+        return screen_ == Screen::Over && watched_.list.leadsFrom(session())
+                   ? act({Action::Replays})
+                   : toTitle();
     }
 }
 
@@ -277,7 +291,7 @@ void Stage::takeMenu(const Signals& signals, Speaker& speaker) {
     const std::size_t before = menu_.chosen();
     const std::optional<MenuOutcome> outcome = menu_.take(signals);
     if (outcome || menu_.chosen() != before) {
-        chirp(speaker, profile().audible().sound, outcome.has_value());
+        chirp(speaker, records_.profile().audible().sound, outcome.has_value());
     }
     if (!outcome && menu_.chosen() != before) {
         confirm_.withdraw(); // another item is chosen
@@ -291,53 +305,45 @@ void Stage::act(const MenuOutcome& outcome) {
     const auto turn = [&](std::size_t dial, int percent) {
         records_.profile().settings.*kDials[dial].value = percent;
         menu_.setPercent(dial, percent);
-        session_.setSettings(profile().audible());
+        games_.session().setSettings(records_.profile().audible());
     };
     switch (outcome.action) {
     case Action::Play:
-        return begin(played_.level, true);
+        return begin(games_.level(), true);
     case Action::Levels:
         return mayEnd(Ending::Levels) ? toLevels() : void();
     case Action::Duel:
         return toLevels(true);
     case Action::Endless:
-        return beginRun(0);
+        games_.beginRun(0);
+        return toGame();
     case Action::Daily:
-        return beginRun(offerOf(def_, played_.level).today);
+        games_.beginRun(offerOf(def_, games_.level()).today);
+        return toGame();
     case Action::Records:
         return open(Screen::Records, recordsMenu(def_.replays != nullptr));
     case Action::Replays:
-        if (!mayEnd(Ending::Replays)) {
-            return;
-        }
-        if (!session_.isDemo()) {
-            played_.level = map_.nextLevel(records_);
-            demo(played_.level);
-        }
-        watched_.list.entries = withScores(def_.replays(), profile());
-        open(Screen::Replays, replaysMenu(watched_.list.entries));
-        return menu_.chooseAt(watched_.list.shown.value_or(0));
+        return mayEnd(Ending::Replays) ? toReplays() : void();
     case Action::Replay: {
         std::variant<Show, std::string> read = watched_.list.entries[outcome.dial].load();
         if (auto* show = std::get_if<Show>(&read)) {
-            def_.show = std::move(*show);
             watched_.list.shown = outcome.dial;
-            watched_.theatre.begin(*def_.show);
-            return enterShow();
+            games_.show(std::move(*show));
+            return toGame();
         }
         records_.note(std::get<std::string>(read));
         return toTitle();
     }
     case Action::Help:
         pages_.behind = screen_;
-        pages_.help.emplace(profile().audible());
+        pages_.help.emplace(records_.profile().audible());
         return open(Screen::Help, helpMenu());
     case Action::Mode:
-        records_.profile().mode = apart::next(profile().mode);
-        played_.level = map_.nextLevel(records_);
-        records_.checkFirst(profile().mode, dailyKey(offerOf(def_, played_.level).today));
-        records_.checkFirst(profile().mode, kEndlessKey);
-        return refreshTitle(menu_, offerOf(def_, played_.level), records_);
+        records_.profile().mode = apart::next(records_.profile().mode);
+        games_.choose(map_.nextLevel(records_));
+        records_.checkFirst(records_.profile().mode, dailyKey(offerOf(def_, games_.level()).today));
+        records_.checkFirst(records_.profile().mode, kEndlessKey);
+        return refreshTitle(menu_, offerOf(def_, games_.level()), records_);
     case Action::Options:
         return toOptions();
     case Action::Keys:
@@ -348,7 +354,11 @@ void Stage::act(const MenuOutcome& outcome) {
     case Action::Resume:
         return back();
     case Action::Restart:
-        return mayEnd(Ending::Restart) ? again() : void();
+        if (mayEnd(Ending::Restart)) {
+            games_.again();
+            toGame();
+        }
+        return;
     case Action::NextLevel:
         return next();
     case Action::ToTitle:
@@ -357,7 +367,7 @@ void Stage::act(const MenuOutcome& outcome) {
         toOptions(pages_.dials + 1);
         return menu_.choose(Action::Page);
     case Action::Reset:
-        if (settings() == Settings{} || confirm_.ask(Ending::Settings, seconds_)) {
+        if (records_.profile().settings == Settings{} || confirm_.ask(Ending::Settings, seconds_)) {
             for (std::size_t i = 0; i < kDials.size(); ++i) {
                 turn(i, Settings{}.*kDials[i].value);
             }

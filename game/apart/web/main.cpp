@@ -71,7 +71,7 @@ void frame() {
     const double now = emscripten_get_now();
     const double seconds = (now - page.last) / 1000;
     page.last = now;
-    page.controls.setBindings(page.stage.profile().bindings);
+    page.controls.setBindings(page.stage.records().profile().bindings);
     const Signals signals = page.controls.poll();
     if (page.controls.takePress()) {
         page.speaker.start();
@@ -175,7 +175,7 @@ extern "C" EMSCRIPTEN_KEEPALIVE void startGame(const char* level, const char* re
     }
     auto& stage = std::get<StageDef>(def);
     keepInBrowser(stage);
-    stage.copy = [](const std::string& text) { copyText(text.c_str()); };
+    stage.sharing.copy = [](const std::string& text) { copyText(text.c_str()); };
     thePage = std::make_unique<Page>(std::move(stage));
     if (!openContext(thePage->canvas)) {
         return complain("This browser has no WebGL 2, which the game is drawn with.");
@@ -211,11 +211,11 @@ extern "C" EMSCRIPTEN_KEEPALIVE int gameState(int what) {
     case 0:
         return static_cast<int>(stage.screen());
     case 1:
-        return static_cast<int>(stage.game().ticks());
+        return static_cast<int>(stage.session().game().ticks());
     case 2:
-        return stage.game().score();
+        return stage.session().game().score();
     default:
-        return static_cast<int>(stage.game().seed());
+        return static_cast<int>(stage.session().game().seed());
     }
 }
 

@@ -116,6 +116,14 @@ std::filesystem::file_time_type timeOf(const std::filesystem::path& file) {
 
 } // namespace
 
+std::string ownNameProblem(const std::string& name) {
+    return dayOf(name) ? "is the name of a daily run" : levelNameProblem(name);
+}
+
+bool isRecorded(const Level& level) {
+    return parseEndless(level.name) || ownNameProblem(level.name).empty();
+}
+
 ShowEntry entryOf(const std::filesystem::path& file, const LevelList& levels) {
     const bool last = file.filename() == "last.replay";
     ShowEntry entry;

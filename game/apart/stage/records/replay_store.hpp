@@ -11,6 +11,11 @@
 
 namespace apart {
 
+/// Reason why no level of the player can have this name; "" if one can.
+std::string ownNameProblem(const std::string& name);
+/// True if scores and replays of this level can be kept: a replay can hold its name.
+bool isRecorded(const Level& level);
+
 /// File of the best game of a level, or of the best run of a key.
 std::filesystem::path bestFile(const std::filesystem::path& folder, Mode mode,
                                const std::string& level);

@@ -12,7 +12,6 @@ struct Reload {
 
     double at = 0;                     // s, of the next look at the file
     std::vector<std::string> faults{}; // of the file
-    bool due = false;                  // the game that is played has an earlier content
     std::string news{};                // a sentence about the last change, or empty
     double newsAt = 0;                 // s, since when it is shown
 

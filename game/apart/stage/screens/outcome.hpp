@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <apart/stage/controls/controls.hpp>
+#include <apart/stage/play/games.hpp>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace apart {
+
+/// What the result screen can do with a game, where it can.
+struct Sharing {
+    /// Copies a text to the clipboard.
+    std::function<void(const std::string&)> copy{};
+    /// Writes a film of a fall. Returns what to tell the player, as a sentence.
+    std::function<std::string(const Rerun&)> film{};
+};
+
+/// What the result screen adds to the end of a game.
+struct Outcome {
+    double seconds = 0;               // since it appeared, or the name of a boss
+    std::vector<std::string> notes{}; // sentences for the player
+
+    /// C copies a link to the game; of a daily run its result in a line before it. G writes a film
+    /// of the fall behind it. True if one of them was pressed.
+    bool take(const Signals& signals, const Games& games, const Sharing& sharing);
+};
+
+} // namespace apart
