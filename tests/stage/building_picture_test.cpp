@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "stage_rig.hpp"
+#include "text_bounds.hpp"
 
 namespace apart {
 namespace {
@@ -144,6 +145,36 @@ TEST(Collapse, IsToldInWordsAndInTheResults) {
     EXPECT_TRUE(told);
     rig.frames(240);
     EXPECT_TRUE(tells(rig.picture(), "points") && tells(rig.picture(), " in one fall"));
+}
+
+// Regression: the words of a won game stood on the praise of its last fall.
+TEST(Collapse, ThePraiseOfTheLastFallStandsBelowTheWordsOfAWonGame) {
+    constexpr Real kPixels = 40; // per metre
+    for (const char* name : {"stilts", "ship", "rope_bridge"}) {
+        StageRig rig(played(name));
+        int seen = 0;
+        for (int i = 0; i < 60 * 60 && rig.stage.screen() == Screen::Playing; ++i) {
+            rig.frame();
+            std::vector<Aabb> won;
+            std::vector<Aabb> praise;
+            for (const Stroke& stroke : rig.picture().strokes()) {
+                const bool wins = stroke.text == "Cleared!" || stroke.text.ends_with("go on");
+                const bool praises = stroke.text.find(" in one fall!") != std::string::npos;
+                if (wins || praises) {
+                    Stroke inPicture = stroke;
+                    inPicture.place = stroke.enlargedPlace;
+                    (wins ? won : praise).push_back(boundsOf(inPicture, rig.canvas, kPixels));
+                }
+            }
+            for (const Aabb& a : won) {
+                for (const Aabb& b : praise) {
+                    ASSERT_FALSE(overlap(a, b)) << name << " after " << i << " frames";
+                    ++seen;
+                }
+            }
+        }
+        EXPECT_GT(seen, 0) << name;
+    }
 }
 
 TEST(Collapse, IsSlowedByTheSettingOfSlowMotion) {

@@ -137,7 +137,7 @@ TEST(Hud, ShowsTheBallsInReserve) {
         canvas.begin(layout::kShown, {});
         paintHud(canvas, game, {});
         return std::count_if(canvas.strokes().begin(), canvas.strokes().end(), [](const Stroke& s) {
-            return s.kind == Stroke::Kind::Disc && s.size == Real(0.2) && s.place.y == Real(10.8);
+            return s.kind == Stroke::Kind::Disc && s.size == Real(0.2) && s.place.y == Real(10.1);
         });
     };
     EXPECT_EQ(balls(1), 0); // the only ball is in play

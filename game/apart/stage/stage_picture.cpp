@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <apart/core/endless.hpp>
-#include <apart/core/tuning.hpp>
 #include <apart/stage/canvas/layout.hpp>
 #include <apart/stage/canvas/palette.hpp>
 #include <apart/stage/painters/backdrop.hpp>
@@ -118,6 +116,17 @@ std::vector<std::string> resultNotes(const Reload& reload, const std::vector<std
     return all;
 }
 
+constexpr Real kFeastFoot = Real(13.9); // m; a won game has its words above it
+
+/// The part of the field for words of the game (m): the middle is left to the fall.
+Aabb roomForWords(const Game& game, const Closeup& closeup) {
+    Aabb room = shownBy(closeup);
+    if (game.result() == Result::Won) {
+        room.upper.y = closeup.focus.y + (kFeastFoot - closeup.focus.y) / closeup.scale;
+    }
+    return room;
+}
+
 /// `ticks` since the end of a won game.
 void paintFeast(Canvas& canvas, int ticks, const Bindings& keys) {
     const float t = std::min(static_cast<float>(ticks) / 30, 1.0f);
@@ -129,8 +138,8 @@ void paintFeast(Canvas& canvas, int ticks, const Bindings& keys) {
         canvas.text(text, {Real(0.07), y - Real(0.07)}, shadow);
         canvas.text(text, {0, y}, style);
     };
-    line("Cleared!", Real(9.2), {size, palette::kAccent, Typeface::Display, Align::Middle});
-    line(keys.prompt(Act::Serve) + " or click: on", Real(7.8),
+    line("Cleared!", Real(15.5), {size, palette::kAccent, Typeface::Display, Align::Middle});
+    line(keys.prompt(Act::Serve) + " or click: go on", Real(14.4),
          {Real(0.5), palette::kText, Typeface::Bold, Align::Middle});
 }
 
@@ -168,30 +177,6 @@ void paintPaused(Canvas& canvas, const Menu& menu, std::string_view question, co
     paintQuestion(canvas, question, Real(1.6));
 }
 
-/// Position of a level in the list, or in an endless run, or in the daily run of a day.
-std::string placeOf(const Level& level, const LevelList& levels, std::uint32_t number, Day day) {
-    const std::optional<EndlessName> row = parseEndless(level.name);
-    if (row || number > 0) {
-        number = row ? row->number : number;
-        return day > 0 ? fmt::format("{}, level {}", dailyName(day), number)
-                       : fmt::format("ENDLESS {}", number);
-    }
-    const auto found = std::find_if(levels.begin(), levels.end(), [&](const auto& other) {
-        return other->name == level.name && digestOf(*other) == digestOf(level);
-    });
-    if (found == levels.end()) {
-        return "A LEVEL OF ITS OWN";
-    }
-    return fmt::format("LEVEL {} OF {}", found - levels.begin() + 1, levels.size());
-}
-
-/// The replay and the time at which the player took over.
-std::string takenOverText(const ReplayList& list, const Theatre& theatre, std::uint32_t tick) {
-    const bool listed = list.shown && *list.shown < list.entries.size();
-    const std::string date = listed ? list.entries[*list.shown].date + " " : "";
-    return fmt::format("replay {}at {}", date, theatre.timeText(tick));
-}
-
 /// The pending question of a game. One that ends a run in its first level says what is lost.
 std::string questionOf(std::string_view question, const Session& session, const EndlessRun& run) {
     const bool first = session.kind() == Session::Kind::Own && run.number > 0 && run.before.empty();
@@ -221,33 +206,6 @@ void paintTitleScreen(Canvas& canvas, const Menu& menu, double seconds,
 
 } // namespace
 
-HudLook hudLookOf(const Stage& stage) {
-    HudLook look;
-    const Session& session = stage.session();
-    const EndlessRun& run = stage.games_.run();
-    const bool replay = session.isShow() || session.isWhatIf();
-    look.place = placeOf(stage.session().game().level(), stage.def_.levels, run.number,
-                         replay ? stage.games_.theatre().show().day : run.day);
-    look.scoreBefore = run.number > 0 ? run.score : 0;
-    look.best = stage.records_.provedScore(stage.session().game().mode(),
-                                           run.keyOf(stage.session().game()));
-    look.ways = session.statistics().way.ways(stage.session().game().level());
-    look.keys = stage.records_.profile().bindings;
-    look.muted = stage.records_.profile().audible().sound == 0;
-    if (session.isShow()) {
-        look.pilot = stage.games_.theatre().paused()
-                         ? "REPLAY  paused"
-                         : "REPLAY  " + stage.games_.theatre().speedText() + " x";
-        look.foot = stage.games_.theatre().timeText(session.clock());
-    } else if (session.isWhatIf()) {
-        look.pilot = "WHAT IF   no score";
-        look.takenOver = true;
-        look.foot =
-            takenOverText(stage.watched_.list, stage.games_.theatre(), session.takenOverAt());
-    }
-    return look;
-}
-
 ShownGame shownBy(const Stage& stage) {
     const bool help = stage.screen_ == Screen::Help && stage.pages_.help;
     const bool wide = (stage.session().isDemo() && stage.screen_ != Screen::Editor) || help;
@@ -266,7 +224,7 @@ void paintOver(Canvas& canvas, const Stage& stage) {
                             stage.records_.marks()));
         return stage.menu_.draw(canvas);
     }
-    paintVeil(canvas, faded(palette::kNight, end.rerun ? 0.55f : 0.72f));
+    paintVeil(canvas, faded(palette::kNight, end.rerun ? 0.66f : 0.72f));
     paintResults(canvas, {stage.session().game(), stage.session().statistics(),
                           stage.session().game().score() + (run.number > 0 ? run.score : 0),
                           end.newBest, stage.over_.seconds,
@@ -329,7 +287,8 @@ void Stage::draw(Canvas& canvas) const {
     if (games_.end().rerun) {
         games_.end().rerun->play().draw(canvas, games_.end().rerun->share(), layout::kShown, words);
     } else {
-        session().play().draw(canvas, session().share(), shownBy(closeup), words);
+        session().play().draw(canvas, session().share(), roomForWords(session().game(), closeup),
+                              words);
         if (session().ghost() && screen_ < Screen::Over) {
             session().ghost()->draw(canvas, session().share(),
                                     share(records_.profile().settings.ghost));

@@ -11,6 +11,8 @@ inline constexpr Real kRight = kFieldWidth / 2;
 inline constexpr Real kLeft = -kRight;
 inline constexpr Real kTop = kFieldHeight;
 inline constexpr Aabb kField{{kLeft, 0}, {kRight, kTop}};
+/// For words of the game: not over the paddle.
+inline constexpr Aabb kWords{{kLeft, Real(2.4)}, {kRight, kTop}};
 inline constexpr Real kFrame = Real(0.45); // drawn thickness of the walls
 
 /// The panel with score and lives, right of the field.

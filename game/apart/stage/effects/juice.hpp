@@ -28,7 +28,7 @@ struct ImpactResponse {
 class Juice {
 public:
     /// `words`: the part of the field for words (m).
-    Juice(std::uint32_t seed, const Settings& settings, const Aabb& words = layout::kField)
+    Juice(std::uint32_t seed, const Settings& settings, const Aabb& words = layout::kWords)
         : sparks_(seed), debris_(seed), popups_(words) {
         setSettings(settings);
     }

@@ -37,6 +37,15 @@ Aabb barAt(Real y) {
     return {{kPanelLeft, y}, {kPanelRight, y + Real(0.22)}};
 }
 
+/// A name at the left, and a value at the right.
+void paintPair(Canvas& canvas, std::string_view name, std::string_view value, Real y,
+               Color color = palette::kQuiet) {
+    canvas.text(name, {kPanelLeft, y},
+                {Real(0.42), palette::kQuiet, Typeface::Plain, Align::Left, Real(2.6)});
+    canvas.text(value, {kPanelRight, y},
+                {Real(0.42), color, Typeface::Plain, Align::Right, Real(1.9)});
+}
+
 void paintLevel(Canvas& canvas, const Game& game, const HudLook& look) {
     canvas.text("aPart", {kPanelLeft, Real(17.05)}, display(Real(1.15), palette::kAccent));
     canvas.text(look.place, {kPanelLeft, Real(16.0)}, quiet(Real(0.42)));
@@ -45,7 +54,7 @@ void paintLevel(Canvas& canvas, const Game& game, const HudLook& look) {
                     strong(Real(0.42), palette::kAccent));
     }
     Real y = Real(15.3);
-    for (const std::string& line : wrappedInto(2, game.level().title, 12, 18)) {
+    for (const std::string& line : wrappedInto(2, game.level().title, 14, 18)) {
         canvas.text(line, {kPanelLeft, y}, strong(line.size() > 10 ? Real(0.52) : Real(0.58)));
         y -= Real(0.72) + Real(0.25) * (canvas.textScale() - 1);
     }
@@ -54,24 +63,23 @@ void paintLevel(Canvas& canvas, const Game& game, const HudLook& look) {
 void paintScore(Canvas& canvas, const Game& game, const HudLook& look) {
     const std::int32_t score = look.scoreBefore + game.score();
     const bool beaten = look.best > 0 && score > look.best;
-    canvas.text("SCORE", {kPanelLeft, Real(13.75)}, quiet(Real(0.42)));
+    const std::uint32_t seconds = look.ticks / kTicksPerSecond;
+    paintPair(canvas, "SCORE", fmt::format("{}:{:02}", seconds / 60, seconds % 60), Real(13.75));
     canvas.text(grouped(score), {kPanelLeft, Real(12.8)},
                 display(Real(1), beaten ? palette::kAccent : palette::kText));
     if (look.best > 0) {
         const std::string best = beaten ? "best so far" : "best  " + grouped(look.best);
         canvas.text(best, {kPanelLeft, Real(12.2)}, quiet(Real(0.42)));
     }
+    canvas.text(look.medal, {kPanelLeft, Real(11.6)}, quiet(Real(0.42)));
 }
 
 /// Paints the hits, and the balls: the one in play first and larger, then those in reserve.
 void paintLives(Canvas& canvas, const Game& game) {
-    canvas.text("BALLS", {kPanelLeft, Real(11.4)},
-                {Real(0.42), palette::kQuiet, Typeface::Plain, Align::Left, Real(2)});
-    canvas.text(countText(game.counts().hits, "hit"), {kPanelRight, Real(11.4)},
-                {Real(0.42), palette::kQuiet, Typeface::Plain, Align::Right, Real(2.6)});
+    paintPair(canvas, "BALLS", countText(game.counts().hits, "hit"), Real(10.7));
     const int shown = std::min<int>(game.lives(), 8);
     for (int i = 0; i < shown; ++i) {
-        const Vec2 center{kPanelLeft + Real(0.28) + Real(0.62) * static_cast<Real>(i), Real(10.8)};
+        const Vec2 center{kPanelLeft + Real(0.28) + Real(0.62) * static_cast<Real>(i), Real(10.1)};
         canvas.disc(center, i > 0 ? Real(0.2) : Real(0.26), palette::kBall,
                     darker(palette::kBall, 0.2f));
     }
@@ -79,18 +87,15 @@ void paintLives(Canvas& canvas, const Game& game) {
 
 /// The best blow so far, and its prize.
 void paintBlow(Canvas& canvas, const Game& game) {
-    const Real y = Real(9.85);
-    canvas.text(fmt::format("BLOW  {}", game.counts().bestBlow), {kPanelLeft, y},
-                {Real(0.42), palette::kQuiet, Typeface::Plain, Align::Left, Real(1.8)});
-    canvas.text("prize " + grouped(game.counts().prize()), {kPanelRight, y},
-                {Real(0.42), palette::kAccent, Typeface::Bold, Align::Right, Real(2.8)});
+    paintPair(canvas, "BEST BLOW", countText(game.counts().bestBlow, "block"), Real(9.2));
+    paintPair(canvas, "PRIZE", grouped(game.counts().prize()), Real(8.5), palette::kAccent);
 }
 
 void paintProgress(Canvas& canvas, const Game& game) {
     const int all = std::max<int>(game.blocksAtStart(), 1);
     const int left = game.blocksLeft();
-    canvas.text(fmt::format("BLOCKS LEFT  {}", left), {kPanelLeft, Real(9.0)}, quiet(Real(0.42)));
-    paintBar(canvas, barAt(Real(8.55)), static_cast<Real>(left) / static_cast<Real>(all),
+    canvas.text(fmt::format("BLOCKS LEFT  {}", left), {kPanelLeft, Real(7.6)}, quiet(Real(0.42)));
+    paintBar(canvas, barAt(Real(7.15)), static_cast<Real>(left) / static_cast<Real>(all),
              palette::kText);
 }
 
@@ -99,10 +104,10 @@ void paintMeter(Canvas& canvas, const Game& game) {
     const char* word = game.force() == Force::Pull   ? "PULL"
                        : game.force() == Force::Push ? "PUSH"
                                                      : "PULL / PUSH";
-    canvas.text(word, {kPanelLeft, Real(7.8)},
+    canvas.text(word, {kPanelLeft, Real(6.45)},
                 {Real(0.42), acts ? palette::kPaddle : palette::kQuiet, Typeface::Plain,
                  Align::Left, kPanelRoom});
-    paintBar(canvas, barAt(Real(7.35)), game.meter(),
+    paintBar(canvas, barAt(Real(6)), game.meter(),
              game.meter() > Real(0.15) ? palette::kPaddle : palette::kDanger);
 }
 
@@ -114,7 +119,7 @@ void paintCombo(Canvas& canvas, const Game& game) {
     const bool wide = game.counts().combo >= 10;
     const Real size =
         wide ? Real(0.7) : Real(0.56) + Real(0.022) * static_cast<Real>(game.counts().combo);
-    canvas.text(fmt::format("combo x{}", game.counts().combo), {kPanelLeft, Real(6.35)},
+    canvas.text(fmt::format("combo x{}", game.counts().combo), {kPanelLeft, Real(5.2)},
                 display(size, palette::kAccent));
 }
 
@@ -122,12 +127,12 @@ void paintCombo(Canvas& canvas, const Game& game) {
 /// free height.
 Real paintPowers(Canvas& canvas, const Game& game) {
     constexpr Real kLongest = static_cast<Real>(kEffectTicks) / kTicksPerSecond; // s
-    constexpr std::size_t kMost = 6; // limited by the height of the panel
+    constexpr std::size_t kMost = 5; // limited by the height of the panel
     std::vector<Power> powers = powersOf(game.level());
     std::stable_partition(powers.begin(), powers.end(),
                           [&](Power power) { return game.state().secondsLeft(power) > 0; });
     powers.resize(std::min(powers.size(), kMost));
-    Real y = Real(5.35);
+    Real y = Real(4.4);
     for (const Power power : powers) {
         const Real left = game.state().secondsLeft(power);
         const Color color = canvas.palette().of(power);
@@ -143,23 +148,47 @@ Real paintPowers(Canvas& canvas, const Game& game) {
             paintBar(canvas, {{kPanelLeft + Real(0.85), top - Real(0.08)}, {kPanelRight, top}},
                      left / kLongest, color);
         }
-        y -= Real(0.72);
+        y -= Real(0.68);
     }
     return y;
 }
 
 /// Paints the ways of the building from a height down; those of the largest fall so far are lit.
-void paintWays(Canvas& canvas, const Level& level, std::uint32_t ways, Real y) {
+/// Returns the next free height.
+Real paintWays(Canvas& canvas, const Level& level, std::uint32_t ways, Real y) {
     if (level.ways.empty()) {
-        return;
+        return y;
     }
-    y -= Real(0.3);
+    y -= Real(0.2);
     canvas.text("WAYS DOWN", {kPanelLeft, y}, quiet(Real(0.42)));
     for (std::size_t i = 0; i < level.ways.size(); ++i) {
-        y -= Real(0.75);
+        y -= Real(0.72);
         const Color color = isWayIn(ways, i) ? palette::kAccent : palette::kQuiet;
         paintWay(canvas, {kPanelLeft + Real(0.3), y + Real(0.13)}, Real(0.24), color, i == 0);
         canvas.text(level.ways[i].name, {kPanelLeft + Real(0.85), y},
+                    {Real(0.38), color, Typeface::Plain, Align::Left, kPanelRoom - Real(0.85)});
+    }
+    return y - Real(0.72);
+}
+
+/// Paints the honours that the game still has or has not yet from a height down, as many as there
+/// is room for.
+void paintHonours(Canvas& canvas, const HudLook& look, Real y) {
+    constexpr Real kPitch = Real(0.72);
+    const Real lowest = look.pilot.empty() ? Real(0.7) : Real(1.5);
+    y -= Real(0.2);
+    if (look.honours.empty() || y - kPitch < lowest) {
+        return;
+    }
+    canvas.text("HONOURS", {kPanelLeft, y}, quiet(Real(0.42)));
+    for (const HudHonour& honour : look.honours) {
+        y -= kPitch;
+        if (y < lowest) {
+            return;
+        }
+        const Color color = honour.kept ? palette::kAccent : palette::kQuiet;
+        canvas.disc({kPanelLeft + Real(0.3), y + Real(0.13)}, Real(0.1), color, color);
+        canvas.text(honour.name, {kPanelLeft + Real(0.85), y},
                     {Real(0.38), color, Typeface::Plain, Align::Left, kPanelRoom - Real(0.85)});
     }
 }
@@ -291,7 +320,8 @@ void paintHud(Canvas& canvas, const Game& game, const HudLook& look) {
     paintProgress(canvas, game);
     paintMeter(canvas, game);
     paintCombo(canvas, game);
-    paintWays(canvas, game.level(), look.ways, paintPowers(canvas, game));
+    const Real y = paintPowers(canvas, game);
+    paintHonours(canvas, look, paintWays(canvas, game.level(), look.ways, y));
     paintFoot(canvas, look);
 }
 

@@ -11,11 +11,20 @@
 
 namespace apart {
 
+/// An honour of a level beside the ways down, and whether the game has it so far.
+struct HudHonour {
+    std::string name;
+    bool kept = false;
+};
+
 /// Contents of the side panel that are not part of the game.
 struct HudLook {
     std::string place;            // number of the level, or the endless row
     std::int32_t scoreBefore = 0; // of the previous endless levels
     std::int32_t best = 0;        // score to beat; 0: none
+    std::string medal{};          // the next one, and its score; empty: none
+    std::uint32_t ticks = 0;      // since the start, up to the end of the game
+    std::vector<HudHonour> honours{};
     Bindings keys{};
     std::uint32_t ways = 0; // bits, of the largest fall so far, see WayWatch
     bool muted = false;

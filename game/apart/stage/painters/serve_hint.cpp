@@ -15,6 +15,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <vector>
 
 namespace apart {
 
@@ -128,6 +130,17 @@ std::vector<Aabb> keptFree(const Game& game) {
     return free;
 }
 
+/// The ground, which words cover only where there is no other place.
+void addGround(std::vector<Aabb>& free, const Game& game) {
+    for (const Obstruction& obstruction : game.obstructions()) {
+        const kodo::BodyView body = game.world()[obstruction.body];
+        for (std::size_t i = 0; i < body.partCount(); ++i) {
+            const std::vector<Vec2> corners = cornersOf(body.part(i).convex, body.massFrame());
+            free.push_back(kodo::aabbOf(std::span<const Vec2>(corners)).grown(kHintMargin));
+        }
+    }
+}
+
 Real commonArea(const Aabb& a, const Aabb& b) {
     const Real width = std::min(a.upper.x, b.upper.x) - std::max(a.lower.x, b.lower.x);
     const Real height = std::min(a.upper.y, b.upper.y) - std::max(a.lower.y, b.lower.y);
@@ -174,56 +187,6 @@ HintPlace placeOfHint(const std::vector<Aabb>& boxes, const std::vector<Aabb>& f
     return best;
 }
 
-class HintPainter {
-public:
-    HintPainter(Canvas& canvas, const Game& game) : canvas_(canvas), free_(keptFree(game)) {}
-
-    /// Paints the first of the groups that has a free place. False if none has.
-    bool paint(const std::vector<HintGroup>& groups) {
-        return std::any_of(groups.begin(), groups.end(), [&](const HintGroup& group) {
-            const std::vector<Aabb> boxes = hintBoxes(canvas_, group);
-            const HintPlace found = placeOfHint(boxes, free_);
-            if (found.covered > 0) {
-                return false;
-            }
-            paintAt(group, boxes, found.place);
-            return true;
-        });
-    }
-    /// Paints a group where it covers the least.
-    void paintAnyway(const HintGroup& group) {
-        const std::vector<Aabb> boxes = hintBoxes(canvas_, group);
-        paintAt(group, boxes, placeOfHint(boxes, free_).place);
-    }
-
-private:
-    void paintAt(const HintGroup& group, const std::vector<Aabb>& boxes, Vec2 place) {
-        for (std::size_t i = 0; i < group.size(); ++i) {
-            const HintLine& line = group[i];
-            const Vec2 at = place - Vec2{0, line.drop};
-            const Real room = boxes[i].extent().x;
-            const Typeface face = faceOf(line);
-            canvas_.text(line.text, at + Vec2{Real(0.04), Real(-0.04)},
-                         {line.height, palette::kInk, face, Align::Middle, room});
-            canvas_.text(line.text, at, {line.height, line.color, face, Align::Middle, room});
-            free_.push_back({place + boxes[i].lower, place + boxes[i].upper});
-        }
-    }
-
-    Canvas& canvas_;
-    std::vector<Aabb> free_;
-};
-
-/// The groups one below the other.
-HintGroup stacked(HintGroup upper, const HintGroup& lower, Real gap) {
-    const Real drop = upper.back().drop + gap;
-    for (HintLine line : lower) {
-        line.drop += drop;
-        upper.push_back(std::move(line));
-    }
-    return upper;
-}
-
 /// Title and idea: in long lines, in shorter ones, and the title alone.
 std::vector<HintGroup> titleGroups(const Canvas& canvas, const Level& level) {
     const HintGroup title = {{shortened(level.title, 48), 0, Real(1.1), palette::kAccent}};
@@ -245,6 +208,33 @@ std::vector<HintGroup> titleGroups(const Canvas& canvas, const Level& level) {
     return groups;
 }
 
+/// Paints the first of the groups that has a free place. False if none has.
+bool paintTitle(Canvas& canvas, std::span<const HintGroup> groups, const std::vector<Aabb>& free) {
+    return std::any_of(groups.begin(), groups.end(), [&](const HintGroup& group) {
+        const std::vector<Aabb> boxes = hintBoxes(canvas, group);
+        const HintPlace found = placeOfHint(boxes, free);
+        if (found.covered > 0) {
+            return false;
+        }
+        for (std::size_t i = 0; i < group.size(); ++i) {
+            const HintLine& line = group[i];
+            const Vec2 at = found.place - Vec2{0, line.drop};
+            const Real room = boxes[i].extent().x;
+            const Typeface face = faceOf(line);
+            canvas.text(line.text, at + Vec2{Real(0.04), Real(-0.04)},
+                        {line.height, palette::kInk, face, Align::Middle, room});
+            canvas.text(line.text, at, {line.height, line.color, face, Align::Middle, room});
+        }
+        return true;
+    });
+}
+
+/// A line below the paddle, where nothing else is.
+void paintFoot(Canvas& canvas, const std::string& text, Real x, Align align, Color color) {
+    const Real room = align == Align::Middle ? Real(10.4) : Real(6);
+    canvas.text(text, {x, Real(0.06)}, {Real(0.42), color, Typeface::Bold, align, room});
+}
+
 } // namespace
 
 void paintServeHint(Canvas& canvas, const Game& game, const Bindings& keys) {
@@ -256,33 +246,26 @@ void paintServeHint(Canvas& canvas, const Game& game, const Bindings& keys) {
         return; // not over what falls
     }
     const float pulse = 0.75f + 0.25f * std::sin(0.07f * static_cast<float>(game.ticks() % 12000));
-    const HintGroup serve = {{keys.prompt(Act::Serve) + " or click to serve", 0, Real(0.5),
-                              faded(palette::kText, pulse)}};
-    HintPainter painter(canvas, game);
-    if (game.score() > 0) {
-        return painter.paintAnyway(serve);
-    }
-    const HintGroup forces = {
-        {fmt::format("held: aim      left button, {}: pull      right button, {}: push",
-                     keys.prompt(Act::Pull), keys.prompt(Act::Push)),
-         0, Real(0.42), palette::kQuiet}};
-    const HintGroup foot = stacked(serve, forces, Real(0.8));
-    std::vector<HintGroup> titles = titleGroups(canvas, game.level());
-    std::vector<HintGroup> whole;
-    for (std::size_t i = 0; i + 1 < titles.size(); ++i) {
-        whole.push_back(stacked(titles[i], foot, Real(1.1)));
-    }
-    if (painter.paint(whole)) {
+    const bool first = game.score() == 0;
+    const std::string serve = keys.prompt(Act::Serve) + " or click to serve";
+    paintFoot(canvas, serve + (first ? ", held: aim" : ""), 0, Align::Middle,
+              faded(palette::kText, pulse));
+    if (!first) {
         return;
     }
-    // In parts. The panel has the title, and the pause the keys.
-    HintGroup small = serve; // fits beside a building where the usual one does not
-    small[0].height = Real(0.4);
-    if (!painter.paint({serve, small})) {
-        painter.paintAnyway(serve);
+    paintFoot(canvas, fmt::format("left button, {}: pull", keys.prompt(Act::Pull)), -kHintEdge,
+              Align::Left, palette::kQuiet);
+    paintFoot(canvas, fmt::format("right button, {}: push", keys.prompt(Act::Push)), kHintEdge,
+              Align::Right, palette::kQuiet);
+    const std::vector<HintGroup> titles = titleGroups(canvas, game.level());
+    const std::span<const HintGroup> whole(titles.data(), titles.size() - 1); // with the idea
+    std::vector<Aabb> free = keptFree(game);
+    const std::size_t blocks = free.size();
+    addGround(free, game);
+    if (!paintTitle(canvas, whole, free)) {
+        free.resize(blocks);
+        paintTitle(canvas, titles, free); // else the panel has it
     }
-    painter.paint(titles);
-    painter.paint({forces});
 }
 
 } // namespace apart

@@ -20,7 +20,7 @@ class Play {
 public:
     /// `words`: the part of the field for words of the game (m).
     Play(std::shared_ptr<const Level> level, std::uint32_t seed, Mode mode,
-         const Settings& settings, const Aabb& words = layout::kField)
+         const Settings& settings, const Aabb& words = layout::kWords)
         : level_(level), game_(std::move(level), seed, mode), juice_(seed, settings, words) {}
 
     void tick(const Input& input, Speaker& speaker);

@@ -93,7 +93,7 @@ void paintHits(Canvas& canvas, const Panel& at, const Game& game) {
     }
     canvas.text(countText(game.counts().hits, "hit"), {at.right2(), Real(4.4)},
                 small(palette::kQuiet, Real(1.7), Align::Right));
-    canvas.text(fmt::format("BLOW  {}", game.counts().bestBlow), {at.left2(), Real(3.6)},
+    canvas.text(fmt::format("BEST BLOW  {}", game.counts().bestBlow), {at.left2(), Real(3.6)},
                 small(palette::kQuiet, half - Real(0.2)));
     canvas.text("prize " + grouped(game.counts().prize()), {at.right2(), Real(3.6)},
                 small(palette::kAccent, half, Align::Right));

@@ -17,10 +17,15 @@ namespace apart {
 
 namespace {
 
-constexpr Real kPreviewBelow = Real(5.9);            // m; what stands below needs so much
+constexpr Real kPreviewBelow = Real(6.45);           // m; what stands below needs so much
 constexpr Vec2 kHonoursFrom{Real(0.3), Real(-1.95)}; // m, from the word BEST
-constexpr Real kHonourStep = Real(0.8);
-constexpr Real kOtherRight = 5; // m, from the column of the standard rules
+constexpr Real kOtherRight = 5;                      // m, from the column of the standard rules
+
+/// From one honour to the next (m): all of them stay in their column.
+Real honourStep(std::size_t count) {
+    constexpr Real kRoom = Real(4.7); // m
+    return std::min(Real(0.8), kRoom / static_cast<Real>(count));
+}
 
 std::array<Vec2, 4> cornersOf(const Aabb& box) {
     return {box.lower, Vec2{box.upper.x, box.lower.y}, box.upper, Vec2{box.lower.x, box.upper.y}};
@@ -64,7 +69,8 @@ void paintBest(Canvas& canvas, const AboutLook& look, Mode mode, Vec2 place) {
     canvas.text(note, place + below,
                 {Real(0.36), palette::kQuiet, Typeface::Plain, Align::Left, Real(4.7)});
     const MedalMarks* marks = marksFor(level, records.marks());
-    paintHonours(canvas, place + kHonoursFrom, {kHonourStep, 0}, Real(0.26),
+    const Real step = honourStep(honourNames(look.level, marks).size());
+    paintHonours(canvas, place + kHonoursFrom, {step, 0}, std::min(Real(0.26), Real(0.38) * step),
                  {records.honoursOf(mode, level), look.level, marks});
 }
 
@@ -78,18 +84,25 @@ void paintHonourNames(Canvas& canvas, const AboutLook& look, Vec2 place) {
     for (std::size_t i = kUsualHonours; i < names.size(); ++i) {
         text += (text.empty() ? "" : ", ") + names[i];
     }
+    const Real step = honourStep(names.size());
     for (const Real right : {Real(0), kOtherRight}) {
         for (std::size_t i = 0; i < names.size(); ++i) {
-            const Vec2 icon =
-                place + kHonoursFrom + Vec2{right + kHonourStep * static_cast<Real>(i), 0};
-            if (lengthSquared(look.pointer - icon) < kHonourStep * kHonourStep / 4) {
+            const Vec2 icon = place + kHonoursFrom + Vec2{right + step * static_cast<Real>(i), 0};
+            if (lengthSquared(look.pointer - icon) < step * step / 4) {
                 text = names[i];
             }
         }
     }
-    canvas.text(
-        shortened(text, 60), place + Vec2{0, Real(-2.75)},
-        {Real(0.4), palette::kQuiet, Typeface::Plain, Align::Left, kAboutRight - kAboutLeft});
+    const std::vector<std::string> lines =
+        wrappedInto(canvas.textScale() > 1 ? 1 : 2, text, 44, 60);
+    const Real height = evenHeight(canvas, lines, Real(0.4), kAboutRight - kAboutLeft);
+    Real y = place.y - Real(2.75);
+    for (const std::string& line : lines) {
+        canvas.text(
+            line, {place.x, y},
+            {height, palette::kQuiet, Typeface::Plain, Align::Left, kAboutRight - kAboutLeft});
+        y -= Real(0.55);
+    }
 }
 
 } // namespace
