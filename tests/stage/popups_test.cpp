@@ -32,6 +32,27 @@ TEST(Popups, NearbyRecentPointsAreSummed) {
     EXPECT_EQ(popups.all().size(), 3u);
 }
 
+// Regression: a fall was told by "combo of five", "combo of eight!" and "a dozen!" at once.
+TEST(Popups, OneOfSeveralPraisesIsShown) {
+    Popups popups;
+    for (const char* text : {"combo of five", "combo of eight!", "a dozen!"}) {
+        Popup praise = word(text, {0, 9}, Real(0.8));
+        praise.praise = true;
+        popups.add(praise);
+        popups.add(word("torn off", {5, 9}));
+    }
+    ASSERT_EQ(popups.all().size(), 2u);
+    EXPECT_EQ(popups.all()[0].text, "torn off");
+    EXPECT_EQ(popups.all()[1].text, "a dozen!");
+    for (const char* text : {"30 in one fall!", "twenty in a row!"}) { // the second is smaller
+        Popup praise = word(text, {0, 3}, *text == '3' ? Real(1.2) : Real(0.8));
+        praise.praise = true;
+        popups.add(praise);
+    }
+    ASSERT_EQ(popups.all().size(), 2u);
+    EXPECT_EQ(popups.all()[1].text, "30 in one fall!");
+}
+
 // Two notices at one position are both shown, without overlap.
 TEST(Popups, WordsAtOnePositionDoNotOverlap) {
     Popups popups;

@@ -119,8 +119,8 @@ void Juice::onEvent(const Game& game, const Broke& hit) {
     const Real size = Real(0.45) + Real(0.025) * static_cast<Real>(std::min(hit.combo, 10));
     say(game, {"", hit.center, color, size, hit.points});
     if (const std::string_view praise = praiseOf(hit.combo); !praise.empty()) {
-        say(game,
-            {std::string(praise), hit.center + Vec2{0, Real(-1.2)}, palette::kAccent, Real(0.8)});
+        say(game, {std::string(praise), hit.center + Vec2{0, Real(-1.2)}, palette::kAccent,
+                   Real(0.8), 0, true});
     }
 }
 
@@ -198,7 +198,7 @@ void Juice::onEvent(const Game& game, const Landed& landed) {
 void Juice::onEvent(const Game& game, const Collapsed& collapse) {
     const Real size = Real(0.6) + Real(0.06) * static_cast<Real>(std::min(collapse.blocks, 12));
     const Vec2 seen{collapse.point.x, std::max(collapse.point.y, Real(3))};
-    say(game, {fallText(collapse.blocks), seen, palette::kAccent, size});
+    say(game, {fallText(collapse.blocks), seen, palette::kAccent, size, 0, true});
     push(Real(0.04) * static_cast<Real>(std::min(collapse.blocks, 12)));
     if (collapse.blocks >= kGreatFall) {
         flashes_.light(palette::kAccent, 0.25f);

@@ -141,6 +141,16 @@ void Popups::add(Popup popup, std::span<const Aabb> busy, std::span<const Aabb> 
     if (popup.points > 0) {
         popup.text = fmt::format("+{}", popup.points);
     }
+    if (popup.praise) {
+        const auto isLess = [&](const Popup& other) {
+            return other.praise && other.height <= popup.height;
+        };
+        std::erase_if(popups_, isLess);
+        if (std::any_of(popups_.begin(), popups_.end(),
+                        [](const Popup& other) { return other.praise; })) {
+            return;
+        }
+    }
     popup.origin = popup.place;
     popup.place = freePlace(popup, busy, solid);
     popups_.push_back(std::move(popup));

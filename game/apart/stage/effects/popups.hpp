@@ -15,10 +15,11 @@ struct Popup {
     std::string text;
     Vec2 place; // m; centre of the base line at age 0
     Color color{};
-    Real height = 0; // m, of the letters
-    int points = 0;  // points shown, 0: a text without points
-    int age = 0;     // ticks
-    Vec2 origin{};   // m, set by Popups: the place wanted
+    Real height = 0;     // m, of the letters
+    int points = 0;      // points shown, 0: a text without points
+    bool praise = false; // one at a time
+    int age = 0;         // ticks
+    Vec2 origin{};       // m, set by Popups: the place wanted
 
     /// Current centre of the base line (m).
     Vec2 placeNow() const;
@@ -37,8 +38,9 @@ public:
     explicit Popups(const Aabb& room = layout::kField) : room_(room) {}
 
     /// Points are added to a recent popup nearby, which keeps a chain of breaks legible. A recent
-    /// nearby popup with the same text is kept instead of a new one. Other popups move up or down
-    /// until they overlap no popup. All positions stay inside the room.
+    /// nearby popup with the same text is kept instead of a new one. Of two praises the larger one
+    /// is kept, of equal ones the latest. Other popups move up or down until they overlap no popup.
+    /// All positions stay inside the room.
     /// A popup moves up, down or aside, as little as possible, off `busy` areas, where something
     /// breaks, and over as few `solid` ones as possible, where something stands (m).
     void add(Popup popup, std::span<const Aabb> busy = {}, std::span<const Aabb> solid = {});
