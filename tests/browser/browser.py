@@ -82,6 +82,12 @@ class Browser:
     def press(self, key):
         self.hold(key, 0.05)
 
+    def click(self, x, y):
+        self.act("pointer", [{"type": "pointerMove", "x": x, "y": y, "duration": 0},
+                             {"type": "pointerDown", "button": 0},
+                             {"type": "pointerUp", "button": 0}],
+                 parameters={"pointerType": "mouse"})
+
     def tap(self, x, y):
         self.act("pointer", [{"type": "pointerMove", "x": x, "y": y, "duration": 0},
                              {"type": "pointerDown", "button": 0},
@@ -162,14 +168,32 @@ class Trial:
     def shot(self, name):
         (self.pictures / f"browser-{name}.png").write_bytes(self.browser.shot())
 
-    def wait(self, script, seconds=20):
+    def wait(self, script, seconds=60):
         """Waits until an expression is true; the seconds that it took, or None after some."""
         start = time.monotonic()
-        while time.monotonic() < start + seconds:
-            if self.browser.run(f"try {{ return Boolean({script}); }} catch (e) {{ return false; }}"):
-                return time.monotonic() - start
+        while not self.browser.run(f"try {{ return Boolean({script}); }} catch (e) {{ return false; }}"):
+            if time.monotonic() > start + seconds:
+                return None
             time.sleep(0.05)
-        return None
+        return time.monotonic() - start
+
+    def until(self, script, act, times=60):
+        """Acts again and again until an expression is true. False if it never is."""
+        for _ in range(times):
+            act()
+            if self.wait(script, 0.5) is not None:
+                return True
+        return False
+
+    def draws(self, count):
+        """Waits until the page has drawn some frames."""
+        self.browser.later(f"""new Promise((done) => {{ let left = {count};
+            const next = () => --left < 0 ? done() : requestAnimationFrame(next); next(); }})""")
+
+    def clipboard(self):
+        """Waits for a text in the clipboard."""
+        text = "navigator.clipboard.readText().catch(() => '')"
+        return next(filter(None, (self.browser.later(text) or time.sleep(0.1) for _ in range(300))), "")
 
     def number(self, expression):
         return self.browser.run(f"return {expression};")

@@ -10,48 +10,68 @@ import json
 import pathlib
 import subprocess
 import sys
-import time
 
 from browser import Trial, judged, trial_of
 
 SIZES = ((360, 640), (1280, 720), (1920, 1080))
-TITLE, LEVELS, PLAYING, PAUSED, OVER = 0, 1, 7, 8, 9  # of Screen in stage.hpp
+TITLE, LEVELS, PLAYING, PAUSED, OVER, DUEL = 0, 1, 7, 8, 9, 13  # of Screen in stage.hpp
+MODE, PADDLE, SERVING = 4, 5, 6  # of gameState() in main.cpp
+ASSISTED = 2  # of Mode in things.hpp
+A, START, DOWN, RIGHT = 0, 9, 13, 15  # buttons of the standard gamepad
 
 
 class Game(Trial):
-    def state(self, what):
+    def state(self, what, player=0):
         """A number of gameState() in main.cpp; -1 before the game has started."""
         return self.browser.run(
-            f"try {{ return Module._gameState({what}); }} catch (error) {{ return -1; }}")
+            f"try {{ return Module._gameState({what}, {player}); }} catch (error) {{ return -1; }}")
 
-    def arrives(self, screen, seconds=30):
+    def arrives(self, screen):
         """The seconds until a screen is there, or None."""
-        return self.wait(f"Module._gameState(0) === {screen}", seconds)
+        return self.wait(f"Module._gameState(0) === {screen}")
 
     def passes(self, tick):
-        return self.wait(f"Module._gameState(1) > {tick}", 30)
+        return self.wait(f"Module._gameState(1) > {tick}")
+
+    def place(self, name):
+        """Where a word or a level is in the picture (pixels): gamePlace() in main.cpp."""
+        return [round(float(part)) for part in self.browser.run(
+            f"return Module.ccall('gamePlace', 'string', ['string'], ['{name}']);").split()]
+
+    def stands_still(self, player=0):
+        tick = self.state(1, player)
+        self.draws(20)
+        return self.state(1, player) == tick
+
+    def moves(self, key, player=0):
+        """The way (mm) of a player's paddle while a key is held, and that of the other's."""
+        before = self.state(PADDLE, player), self.state(PADDLE, 1 - player)
+        far = f"Math.abs(Module._gameState({PADDLE}, {player}) - {before[0]}) > 500"
+        self.until(far, lambda: self.browser.hold(key, 0.3))
+        return self.state(PADDLE, player) - before[0], self.state(PADDLE, 1 - player) - before[1]
+
+    def serves(self, act, player=0):
+        """True if an act, again and again, serves the ball of a player."""
+        return self.state(SERVING, player) == 1 and self.until(
+            f"Module._gameState({SERVING}, {player}) === 0", act)
 
     def title(self):
         self.browser.open(self.address)
         seconds = self.arrives(TITLE)
         self.expect(seconds is not None, f"the title appears ({seconds} s after the page)")
-        time.sleep(1)
+        self.passes(60)
         self.shot("title")
 
     def level(self):
         self.browser.open(self.address + "#level=quarry")
         self.expect(self.arrives(PLAYING), "a link starts a level")
-        self.browser.press(" ")
-        for key in ("left", "right", "left"):
-            self.browser.hold(key, 0.4)
-        time.sleep(2)
+        self.expect(self.until("Module._gameState(2) > 0", lambda: self.browser.press(" ")),
+                    "a serve by the space key scores")
+        self.expect(self.moves("left")[0] < -500, "the left key moves the paddle to the left")
         self.shot("level")
-        self.expect(self.state(2) > 0, "a serve by the space key scores")
         self.browser.press("p")
         self.expect(self.arrives(PAUSED), "the key P pauses")
-        tick = self.state(1)
-        time.sleep(0.3)
-        self.expect(self.state(1) == tick, "a paused game stands still")
+        self.expect(self.stands_still(), "a paused game stands still")
         self.shot("pause")
 
     def lost(self):
@@ -61,7 +81,8 @@ class Game(Trial):
         before = len(self.browser.shot())
         self.browser.run("""window.losing = document.getElementById("canvas").getContext("webgl2")
             .getExtension("WEBGL_lose_context"); losing.loseContext();""")
-        time.sleep(0.5)
+        self.wait("document.getElementById('canvas').getContext('webgl2').isContextLost()")
+        self.draws(3)
         blank, tick = len(self.browser.shot()), self.state(1)
         self.browser.run("losing.restoreContext();")
         self.expect(self.passes(tick + 30), "the game goes on without a context")
@@ -74,11 +95,11 @@ class Game(Trial):
         """Plays what a link names to its end, at the left wall."""
         self.browser.open(self.address + link)
         self.arrives(PLAYING)
-        for _ in range(90):
-            self.browser.press(" ")
-            self.browser.hold("left", 0.5)
-            if self.state(0) == OVER:
-                break
+        self.until(f"Module._gameState(0) === {OVER}", self.stay_aside, 300)
+
+    def stay_aside(self):
+        self.browser.press(" ")
+        self.browser.hold("left", 0.5)
 
     def lose(self):
         self.aside("#level=first_light")
@@ -93,9 +114,7 @@ class Game(Trial):
         self.shot("daily")
         self.browser.allow_clipboard()
         self.browser.press("c")
-        time.sleep(0.5)
-        copied = self.browser.later("navigator.clipboard.readText()")
-        line, link = copied.split("\n")
+        line, link = self.clipboard().split("\n")
         self.expect(link.startswith(self.address + "#replay="), "C copies a link to the game")
         file = self.pictures / "daily.replay"
         file.write_bytes(bytes(self.browser.run("return [...FS.readFile('/player/apart/last.replay')];")))
@@ -131,8 +150,9 @@ class Game(Trial):
     def drop(self):
         """A level of the player's own comes by drag and drop, and stays."""
         self.drop_file("title = nonsense")
-        time.sleep(4)
-        told = self.browser.run("return document.getElementById('news').textContent;")
+        told = "document.getElementById('news').textContent"
+        self.wait(f"{told}.includes('mine.toml:1:')")
+        told = self.number(told)
         self.expect("mine.toml:1:" in told, f"an error of a dropped level is told: {told}")
         example = pathlib.Path(__file__).parents[2] / "game/examples/gallows.toml"
         self.drop_file(example.read_text(encoding="utf-8"))
@@ -151,7 +171,7 @@ class Game(Trial):
             self.browser.press("enter")
             self.expect(self.arrives(LEVELS), f"keys open the map at {width} x {height}")
             self.browser.press("right")
-            time.sleep(0.5)
+            self.draws(30)
             self.shot(f"map-{width}")
             self.browser.press("enter")
             self.expect(self.arrives(PLAYING), "enter plays the chosen level")
@@ -164,26 +184,128 @@ class Game(Trial):
         self.browser.touch(True)
         self.browser.open(self.address)
         self.arrives(TITLE)
-        time.sleep(0.5)
+        self.passes(60)
         self.shot("phone-title")
-        self.browser.tap(*self.turned(360, 320, 182))
+        self.tap("Map")
         self.expect(self.arrives(LEVELS), "a tap on a word of the title opens the map")
-        time.sleep(0.5)
+        self.draws(30)
         self.shot("phone-map")
-        self.browser.tap(*self.turned(360, 77, 345))
+        self.tap("back")
         self.expect(self.arrives(TITLE), "a tap on its word leaves the map")
-        self.browser.tap(*self.turned(360, 320, 182))
+        self.tap("Map")
         self.arrives(LEVELS)
-        self.browser.tap(*self.turned(360, 137, 315))  # 18 pixels beside the second level
+        self.tap("2", 18)
         self.expect(self.arrives(PLAYING), "a tap beside an open level plays it")
         self.shot("phone-level")
-        for _ in range(8):
-            self.browser.tap(180, 320)
-            self.browser.drag((180, 300), (180, 420))
-            if self.wait("Module._gameState(2) > 0", 2):
-                break
-        self.expect(self.state(2) > 0, "a tap serves, and a finger moves along the turned picture")
+        before = self.state(PADDLE)
+        self.browser.drag((180, 300), (180, 420))
+        self.expect(self.wait(f"Module._gameState({PADDLE}) > {before} + 500"),
+                    "a finger moves the paddle along the turned picture")
+        self.expect(self.serves(lambda: self.browser.tap(180, 320)), "a tap serves in the turned picture")
         self.browser.touch(False)
+
+    def tap(self, name, beside=0):
+        """Taps what has a name in a picture that is turned, or some pixels to the right of it."""
+        x, y = self.place(name)
+        self.browser.tap(*self.turned(360, x + beside, y))
+
+    def duel(self):
+        """Two players at one screen: each key moves one paddle, each player serves."""
+        self.browser.resize(1280, 720)
+        self.choose("Duel", LEVELS)
+        self.browser.press("enter")
+        self.expect(self.arrives(DUEL), "the map of a duel starts one")
+        for player, keys in enumerate((("a", "d"), ("left", "right"))):
+            own, other = self.moves(keys[0], player)
+            self.expect(own < -500 and other == 0, f"{keys[0]} moves player {player + 1} alone, to the left")
+            own, other = self.moves(keys[1], player)
+            self.expect(own > 500 and other == 0, f"{keys[1]} moves player {player + 1} alone, to the right")
+        for player, key in enumerate((" ", "enter")):
+            self.expect(self.serves(lambda: self.browser.press(key), player), f"player {player + 1} serves")
+        self.shot("duel")
+        self.browser.press("p")
+        self.draws(3)
+        self.expect(self.stands_still(0) and self.stands_still(1), "P pauses both games")
+        self.shot("duel-pause")
+
+    def pads(self, count):
+        """Gamepads that are held as window.pads says: they stand where the browser has its own."""
+        self.browser.run("""window.pads = Array.from({ length: arguments[0] }, (_, index) => ({ index,
+                id: "pad", mapping: "standard", connected: true, timestamp: 0, axes: [0, 0, 0, 0],
+                buttons: Array.from({ length: 17 }, () => ({ pressed: false, value: 0 })) }));
+            navigator.getGamepads = () => window.pads;""".replace("arguments[0]", str(count)))
+
+    def stick(self, pad, x):
+        self.browser.run(f"window.pads[{pad}].axes[0] = {x};")
+
+    def push(self, button, pad=0):
+        """A button of a gamepad goes down and up again, each for some frames."""
+        for down in ("true", "false"):
+            self.browser.run(f"window.pads[{pad}].buttons[{button}].pressed = {down};")
+            self.draws(4)
+
+    def tilts(self, pad, player):
+        """True if the stick of a gamepad moves the paddle of a player both ways."""
+        for way in (-1, 1):
+            before = self.state(PADDLE, player)
+            self.stick(pad, way)
+            if self.wait(f"{way} * (Module._gameState({PADDLE}, {player}) - {before}) > 500") is None:
+                return False
+            self.stick(pad, 0)
+        return True
+
+    def gamepad(self):
+        """From the title into a game and a duel by gamepads alone."""
+        self.browser.open(self.address)
+        self.arrives(TITLE)
+        self.pads(1)
+        self.push(DOWN)
+        self.push(A)
+        self.expect(self.arrives(LEVELS), "a gamepad opens the map")
+        self.push(A)
+        self.expect(self.arrives(PLAYING), "its button A plays the chosen level")
+        self.expect(self.tilts(0, 0), "its stick moves the paddle")
+        self.expect(self.serves(lambda: self.push(A)), "its button A serves")
+        self.push(START)
+        self.expect(self.arrives(PAUSED), "its button start pauses")
+        self.browser.open(self.address)
+        self.arrives(TITLE)
+        self.pads(2)
+        for _ in range(4):
+            self.push(DOWN, 1)
+        self.push(A, 1)
+        self.arrives(LEVELS)
+        self.push(A, 1)
+        self.expect(self.arrives(DUEL), "the second gamepad starts a duel")
+        for pad in (0, 1):
+            self.expect(self.tilts(pad, pad), f"gamepad {pad + 1} moves player {pad + 1}")
+            self.expect(self.serves(lambda: self.push(A, pad), pad), f"and serves for player {pad + 1}")
+
+    def assisted(self):
+        """The rules are changed on the title, and stay after a new start."""
+        self.browser.open(self.address)
+        self.arrives(TITLE)
+        for _ in range(5):
+            self.browser.press("down")
+        for _ in range(2):
+            self.browser.press("right")
+        self.draws(10)
+        self.shot("assisted-title")
+        for _ in range(5):
+            self.browser.press("up")
+        self.browser.press("enter")
+        self.expect(self.arrives(PLAYING) and self.state(MODE) == ASSISTED, "the title changes the rules")
+        self.passes(30)
+        self.shot("assisted")
+        self.browser.open(self.address + "#level=quarry")
+        self.expect(self.arrives(PLAYING) and self.state(MODE) == ASSISTED, "and the browser keeps them")
+
+    def choose(self, item, screen):
+        """Clicks an item of the title."""
+        self.browser.open(self.address)
+        self.arrives(TITLE)
+        self.browser.click(*self.place(item))
+        self.expect(self.arrives(screen), f"a click on {item} is taken")
 
     @staticmethod
     def turned(height, x, y):
@@ -194,12 +316,7 @@ class Game(Trial):
         self.browser.resize(390, 760)
         self.browser.open(self.address + "#level=first_light")
         self.arrives(PLAYING)
-        for _ in range(8):  # a ball that is lost needs another tap
-            self.browser.tap(190, 500)
-            self.browser.drag((190, 600), (300, 600))
-            if self.wait("Module._gameState(2) > 0", 2):
-                break
-        self.expect(self.state(2) > 0, "a tap serves")
+        self.expect(self.serves(lambda: self.browser.tap(190, 500)), "a tap serves")
         self.shot("touch")
 
 
@@ -210,9 +327,8 @@ def main(page, pictures, program):
             part()
         game.daily(program)
         game.drop()
-        game.map()
-        game.phone()
-        game.touch()
+        for part in (game.map, game.phone, game.touch, game.duel, game.gamepad, game.assisted):
+            part()
     return judged([game])
 
 

@@ -31,6 +31,20 @@ TEST(Bindings, EveryKeyHasItsOwnNameAndEachActAKey) {
     EXPECT_EQ(usual.actOf({false, kNoKey}), std::nullopt);
 }
 
+TEST(Bindings, ATouchScreenIsToldOfFingers) {
+    StageDef def = StageRig::twoLevels();
+    def.profile.bindings.fingers = true;
+    StageRig rig(std::move(def));
+    EXPECT_TRUE(rig.picture().says("tap a word"));
+    rig.clickItem(Action::Play);
+    EXPECT_TRUE(rig.picture().says("tap to serve"));
+    EXPECT_TRUE(rig.picture().says("a second finger: pull"));
+    EXPECT_FALSE(rig.picture().says("P: pause")); // the page has a button
+    rig.press(Command::Pause);
+    EXPECT_TRUE(rig.picture().says("a finger: move"));
+    EXPECT_FALSE(rig.picture().says("left button"));
+}
+
 TEST(Bindings, AKeyThatIsUsedIsRefused) {
     Bindings bindings;
     EXPECT_EQ(bindings.bind(Act::Serve, 0, *keyNamed("P")), "P is in use: pause");

@@ -7,6 +7,28 @@
 namespace apart {
 namespace {
 
+// A page of a browser may be closed at any time, without a word to the game.
+TEST(Endings, AModeThatIsChosenIsSavedAtOnce) {
+    std::vector<Profile> kept;
+    StageDef def = StageRig::twoLevels();
+    def.keeping.save = StageRig::keeping(kept);
+    StageRig rig(std::move(def));
+    rig.clickItem(Action::Mode);
+    ASSERT_EQ(kept.size(), 1u);
+    EXPECT_EQ(kept[0].mode, Mode::Pure);
+}
+
+TEST(Endings, ATitleThatCannotQuitOffersNoQuit) {
+    StageDef def = StageRig::twoLevels();
+    def.quits = false;
+    StageRig rig(std::move(def));
+    EXPECT_EQ(rig.stage.menu().items().back().action, Action::Options);
+    EXPECT_FALSE(rig.picture().says("quit"));
+    rig.press(Command::Back);
+    rig.press(Command::Back);
+    EXPECT_FALSE(rig.stage.wantsToQuit());
+}
+
 TEST(Endings, WhatEndsAGameWithPointsAsksOnceInPlayAndInThePauseMenu) {
     StageDef def = StageRig::twoLevels();
     def.firstLevel = 1; // three blocks

@@ -33,6 +33,7 @@ struct StageDef : GameSource {
     std::size_t firstLevel = 0;
     bool startAtOnce = false; // in the first level, without the title screen
     bool duel = false;        // starts in the first level with two players
+    bool quits = true;        // false: of a page, which the browser closes
     Profile profile{};
     Keeping keeping{};
     ScoreStore scores{};                // the best games

@@ -139,7 +139,7 @@ void paintFeast(Canvas& canvas, int ticks, const Bindings& keys) {
         canvas.text(text, {0, y}, style);
     };
     line("Cleared!", Real(15.5), {size, palette::kAccent, Typeface::Display, Align::Middle});
-    line(keys.prompt(Act::Serve) + " or click: go on", Real(14.4),
+    line(keys.anyPrompt(Act::Serve) + ": go on", Real(14.4),
          {Real(0.5), palette::kText, Typeface::Bold, Align::Middle});
 }
 
@@ -159,14 +159,17 @@ void paintPaused(Canvas& canvas, const Menu& menu, std::string_view question, co
         y -= Real(0.8);
     }
     y = Real(4.9);
-    const auto prompt = [&](Act act) { return look.keys.prompt(act); };
+    const auto prompt = [&](Act act) { return look.keys.anyPrompt(act); };
+    const std::string move = look.keys.fingers ? "a finger: move"
+                                               : fmt::format("mouse; {}: left; {}: right",
+                                                             prompt(Act::Left), prompt(Act::Right));
     for (const std::string& line :
-         {fmt::format("mouse; {}: left; {}: right      {} or click: serve", prompt(Act::Left),
-                      prompt(Act::Right), prompt(Act::Serve)),
-          fmt::format("left button, {}: pull      right button, {}: push", prompt(Act::Pull),
-                      prompt(Act::Push)),
-          fmt::format("{}: start again      {}: sound      F3: what the engine sees",
-                      prompt(Act::Restart), prompt(Act::Mute))}) {
+         {fmt::format("{}      {}: serve", move, prompt(Act::Serve)),
+          fmt::format("{}: pull      {}: push", prompt(Act::Pull), prompt(Act::Push)),
+          look.keys.fingers
+              ? std::string{}
+              : fmt::format("{}: start again      {}: sound      F3: what the engine sees",
+                            prompt(Act::Restart), prompt(Act::Mute))}) {
         canvas.text(line, {0, y}, quiet(Real(0.42), 2 * layout::kRight));
         y -= Real(0.7);
     }
@@ -192,14 +195,21 @@ void paintAttract(Canvas& canvas, double seconds) {
                 {Real(0.6), faded(palette::kText, pulse), Typeface::Bold, Align::Middle});
 }
 
+std::string titleHint(bool fingers, bool quits) {
+    return fingers ? "tap a word"
+           : quits ? "arrows and enter, or the mouse      escape: quit"
+                   : "arrows and enter, or the mouse";
+}
+
+/// `hint`: where there are no notices.
 void paintTitleScreen(Canvas& canvas, const Menu& menu, double seconds,
-                      const std::vector<std::string>& notices, std::string_view question) {
+                      const std::vector<std::string>& notices, std::string_view question,
+                      const std::string& hint) {
     paintVeil(canvas, faded(palette::kNight, 0.74f));
     paintTitle(canvas, seconds);
     menu.draw(canvas);
     if (question.empty()) {
-        const std::vector<std::string> hint = {"arrows and enter, or the mouse      escape: quit"};
-        paintNotices(canvas, notices.empty() ? hint : notices, kTitleNotices);
+        paintNotices(canvas, notices.empty() ? std::vector{hint} : notices, kTitleNotices);
     }
     paintQuestion(canvas, question, Real(-0.2)); // in the place of the notices
 }
@@ -304,9 +314,11 @@ void Stage::draw(Canvas& canvas) const {
     const std::string question = questionOf(confirm_.question(seconds_), session(), games_.run());
     switch (screen_) {
     case Screen::Title:
-        return attracting() ? paintAttract(canvas, seconds_)
-                            : paintTitleScreen(canvas, menu_, seconds_, records_.notices(),
-                                               confirm_.question(seconds_));
+        return attracting()
+                   ? paintAttract(canvas, seconds_)
+                   : paintTitleScreen(canvas, menu_, seconds_, records_.notices(),
+                                      confirm_.question(seconds_),
+                                      titleHint(records_.profile().bindings.fingers, def_.quits));
     case Screen::Levels:
         return map_.draw(canvas, records_, seconds_);
     case Screen::Options:

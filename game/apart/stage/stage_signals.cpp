@@ -36,6 +36,12 @@ bool anything(const Signals& signals) {
            signals.pointer.has_value();
 }
 
+/// Checks the scores that the title shows.
+void checkRuns(Records& records, Day today) {
+    records.checkFirst(records.profile().mode, dailyKey(today));
+    records.checkFirst(records.profile().mode, kEndlessKey);
+}
+
 /// Checks the scores of the chosen level first, then all others.
 void checkScores(Records& records, const LevelList& levels, std::size_t chosen) {
     const Mode mode = records.profile().mode;
@@ -57,7 +63,7 @@ void Stage::open(Screen screen, Menu menu) {
 
 TitleOffer offerOf(const StageDef& def, std::size_t level) {
     return {fmt::format("Play   {}  {}", level + 1, shortened(def.levels[level]->title, 32)),
-            def.endless != nullptr, def.today && def.daily ? def.today() : 0};
+            def.endless != nullptr, def.today && def.daily ? def.today() : 0, def.quits};
 }
 
 void Stage::toTitle() {
@@ -65,8 +71,7 @@ void Stage::toTitle() {
     games_.choose(map_.nextLevel(records_));
     games_.demo(games_.level(), true);
     if (def_.endless) {
-        records_.checkFirst(records_.profile().mode, dailyKey(offerOf(def_, games_.level()).today));
-        records_.checkFirst(records_.profile().mode, kEndlessKey);
+        checkRuns(records_, offerOf(def_, games_.level()).today);
     }
     open(Screen::Title, titleMenu(offerOf(def_, games_.level()), records_));
 }
@@ -249,7 +254,7 @@ void Stage::quit() {
 void Stage::back() {
     switch (screen_) {
     case Screen::Title:
-        return confirm_.ask(Ending::Quit, seconds_) ? quit() : void();
+        return def_.quits && confirm_.ask(Ending::Quit, seconds_) ? quit() : void();
     case Screen::Paused:
         return toGame();
     case Screen::Options:
@@ -341,8 +346,8 @@ void Stage::act(const MenuOutcome& outcome) {
     case Action::Mode:
         records_.profile().mode = apart::next(records_.profile().mode);
         games_.choose(map_.nextLevel(records_));
-        records_.checkFirst(records_.profile().mode, dailyKey(offerOf(def_, games_.level()).today));
-        records_.checkFirst(records_.profile().mode, kEndlessKey);
+        checkRuns(records_, offerOf(def_, games_.level()).today);
+        records_.save(); // a page may be closed at any time
         return refreshTitle(menu_, offerOf(def_, games_.level()), records_);
     case Action::Options:
         return toOptions();

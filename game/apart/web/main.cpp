@@ -11,8 +11,11 @@
 
 #include <cstdlib>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace apart {
 namespace {
@@ -25,6 +28,8 @@ EM_JS(void, complain, (const char* sentence), { Module.complain(UTF8ToString(sen
 EM_JS(void, keepFiles, (), { Module.keepFiles(); });
 // True if the page shows the picture turned clockwise by a quarter.
 EM_JS(int, isTurned, (), { return Module.turned() ? 1 : 0; });
+// True if the screen is one for fingers.
+EM_JS(int, hasFingers, (), { return matchMedia("(pointer: coarse)").matches ? 1 : 0; });
 // Copies a text to the clipboard; the page's address goes before its link.
 EM_JS(void, copyText, (const char* text), { Module.copyText(UTF8ToString(text)); });
 
@@ -159,6 +164,24 @@ void keepInBrowser(StageDef& def) {
     }
 }
 
+/// Where one sees a name (m): on the map "back" or the number of a level, else an item of a menu
+/// that begins so.
+std::optional<Vec2> placeOf(const Stage& stage, std::string_view name) {
+    if (stage.screen() == Screen::Levels) {
+        const LevelMap& map = stage.levelMap();
+        const int level = std::atoi(std::string(name).c_str());
+        return (level > 0 ? map.tile(static_cast<std::size_t>(level) - 1) : map.backPlace())
+            .center();
+    }
+    const std::vector<MenuItem>& items = stage.menu().items();
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        if (items[i].label.starts_with(name)) {
+            return stage.menu().place(i).center();
+        }
+    }
+    return std::nullopt;
+}
+
 } // namespace
 } // namespace apart
 
@@ -176,6 +199,8 @@ extern "C" EMSCRIPTEN_KEEPALIVE void startGame(const char* level, const char* re
     auto& stage = std::get<StageDef>(def);
     keepInBrowser(stage);
     stage.sharing.copy = [](const std::string& text) { copyText(text.c_str()); };
+    stage.quits = false;
+    stage.profile.bindings.fingers = hasFingers() != 0;
     thePage = std::make_unique<Page>(std::move(stage));
     if (!openContext(thePage->canvas)) {
         return complain("This browser has no WebGL 2, which the game is drawn with.");
@@ -201,22 +226,44 @@ extern "C" EMSCRIPTEN_KEEPALIVE void pressButton(int button) {
     }
 }
 
-/// State of the game, for tests: 0 the screen, 1 the tick, 2 the score, 3 the seed of the serves.
-extern "C" EMSCRIPTEN_KEEPALIVE int gameState(int what) {
+/// State of the game, for tests: 0 the screen, 1 the tick, 2 the score, 3 the seed of the serves,
+/// 4 the mode, 5 the place of the paddle (mm), 6 whether a ball waits for its serve. In a duel,
+/// that of a player, 0 or 1.
+extern "C" EMSCRIPTEN_KEEPALIVE int gameState(int what, int player) {
     if (!apart::thePage) {
         return -1;
     }
     const apart::Stage& stage = apart::thePage->stage;
+    const bool dueling = stage.screen() == apart::Screen::Duel;
+    const apart::Game& game =
+        dueling ? stage.duel()->game(static_cast<std::size_t>(player)) : stage.session().game();
     switch (what) {
     case 0:
         return static_cast<int>(stage.screen());
     case 1:
-        return static_cast<int>(stage.session().game().ticks());
+        return static_cast<int>(game.ticks());
     case 2:
-        return stage.session().game().score();
+        return game.score();
+    case 3:
+        return static_cast<int>(game.seed());
+    case 4:
+        return static_cast<int>(game.mode());
+    case 5:
+        return static_cast<int>(1000 * game.world()[game.paddle()].position().x);
     default:
-        return static_cast<int>(stage.session().game().seed());
+        return game.serving() ? 1 : 0;
     }
+}
+
+/// Where one sees a name, for tests, as placeOf(): "x y" in pixels of the picture; "" if nowhere.
+/// Valid until the next call.
+extern "C" EMSCRIPTEN_KEEPALIVE const char* gamePlace(const char* name) {
+    static std::string place;
+    const apart::Page& page = *apart::thePage;
+    const std::optional<apart::Vec2> found = apart::placeOf(page.stage, name);
+    const kodo_draw::Pixel pixel = page.canvas.camera().toPixels(found.value_or(apart::Vec2{}));
+    place = found ? std::to_string(pixel.x) + " " + std::to_string(pixel.y) : "";
+    return place.c_str();
 }
 
 int main() {

@@ -102,6 +102,19 @@ std::string Bindings::firstKey(Act act) const {
     return all.substr(0, all.find(" or "));
 }
 
+std::string Bindings::anyPrompt(Act act) const {
+    switch (act) {
+    case Act::Pull:
+        return fingers ? "a second finger" : "left button, " + prompt(act);
+    case Act::Push:
+        return fingers ? "a third finger" : "right button, " + prompt(act);
+    case Act::Serve:
+        return fingers ? "tap" : prompt(act) + " or click";
+    default:
+        return prompt(act);
+    }
+}
+
 std::string Bindings::bind(Act act, std::size_t column, int code) {
     const bool pad = column == kPadColumn;
     if (!pad && code >= 0 && isReserved(code)) {

@@ -59,6 +59,7 @@ struct Bindings {
     using Row = std::array<int, kColumns>; // kNoKey: none
 
     std::array<Row, kActs> rows;
+    bool fingers = false; // on a touch screen: prompts name fingers. No part of a profile
 
     Bindings();
     /// The act of a key or a button.
@@ -71,11 +72,13 @@ struct Bindings {
     std::string prompt(Act act) const;
 
     std::string firstKey(Act act) const; // the same, one key only
+    /// Keys and the mouse: "left button, down or S"; on a touch screen "a second finger".
+    std::string anyPrompt(Act act) const;
 
     /// Binds a key or a button, or none. Returns why it is refused, as a sentence, or "".
     std::string bind(Act act, std::size_t column, int code);
 
-    friend bool operator==(const Bindings&, const Bindings&) = default;
+    friend bool operator==(const Bindings& a, const Bindings& b) { return a.rows == b.rows; }
 };
 
 /// Of two players at one screen, each has a column of keys: the first one the second column (A and

@@ -202,6 +202,9 @@ void paintFoot(Canvas& canvas, const HudLook& look) {
     if (!look.foot.empty()) {
         return canvas.text(look.foot, {kPanelLeft, Real(0.2)}, quiet(Real(0.42)));
     }
+    if (look.keys.fingers && !look.muted) {
+        return; // the page has a button
+    }
     canvas.text(look.muted ? sound : pause, {kPanelLeft, Real(0.2)}, quiet(Real(0.36)));
 }
 

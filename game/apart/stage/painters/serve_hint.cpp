@@ -9,8 +9,6 @@
 #include <apart/stage/painters/block_painter.hpp>
 #include <apart/stage/painters/hud.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -247,16 +245,16 @@ void paintServeHint(Canvas& canvas, const Game& game, const Bindings& keys) {
     }
     const float pulse = 0.75f + 0.25f * std::sin(0.07f * static_cast<float>(game.ticks() % 12000));
     const bool first = game.score() == 0;
-    const std::string serve = keys.prompt(Act::Serve) + " or click to serve";
+    const std::string serve = keys.anyPrompt(Act::Serve) + " to serve";
     paintFoot(canvas, serve + (first ? ", held: aim" : ""), 0, Align::Middle,
               faded(palette::kText, pulse));
     if (!first) {
         return;
     }
-    paintFoot(canvas, fmt::format("left button, {}: pull", keys.prompt(Act::Pull)), -kHintEdge,
-              Align::Left, palette::kQuiet);
-    paintFoot(canvas, fmt::format("right button, {}: push", keys.prompt(Act::Push)), kHintEdge,
-              Align::Right, palette::kQuiet);
+    paintFoot(canvas, keys.anyPrompt(Act::Pull) + ": pull", -kHintEdge, Align::Left,
+              palette::kQuiet);
+    paintFoot(canvas, keys.anyPrompt(Act::Push) + ": push", kHintEdge, Align::Right,
+              palette::kQuiet);
     const std::vector<HintGroup> titles = titleGroups(canvas, game.level());
     const std::span<const HintGroup> whole(titles.data(), titles.size() - 1); // with the idea
     std::vector<Aabb> free = keptFree(game);

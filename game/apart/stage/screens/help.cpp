@@ -34,10 +34,12 @@ std::array<Topic, 6> topicsFor(const Bindings& keys) {
     const auto prompt = [&](Act act) { return keys.prompt(act); };
     const std::string pad = keys.text(Act::Serve, Bindings::kPadColumn);
     return {{
-        {"move", fmt::format("mouse; {}: left; {}: right; or a stick", prompt(Act::Left),
-                             prompt(Act::Right))},
-        {"serve", fmt::format("{}, enter, click{}; a spring leaps", prompt(Act::Serve),
-                              pad == "-" ? "" : ", or " + pad)},
+        {"move", keys.fingers ? "a finger that moves"
+                              : fmt::format("mouse; {}: left; {}: right; or a stick",
+                                            prompt(Act::Left), prompt(Act::Right))},
+        {"serve", keys.fingers ? "a tap; a finger that rests aims"
+                               : fmt::format("{}, enter, click{}; a spring leaps",
+                                             prompt(Act::Serve), pad == "-" ? "" : ", or " + pad)},
         {"buildings", "what has fallen counts; a collapse up to eightfold"},
         {"glow", "no hit for long: a pull tears the lowest block off"},
         {"modes", "pure never bends a path, assisted slows the ball"},
@@ -57,11 +59,9 @@ struct Caption {
 Caption captionOf(HelpTopic topic, const Game& game, const Bindings& keys) {
     switch (topic) {
     case HelpTopic::Pull:
-        return {"pull", "left button, " + keys.prompt(Act::Pull),
-                "balls, shards and rubble come to the paddle"};
+        return {"pull", keys.anyPrompt(Act::Pull), "balls, shards and rubble come to the paddle"};
     case HelpTopic::Push:
-        return {"push", "right button, " + keys.prompt(Act::Push),
-                "balls, shards and rubble fly from the paddle"};
+        return {"push", keys.anyPrompt(Act::Push), "balls, shards and rubble fly from the paddle"};
     case HelpTopic::Meter:
         return {"meter", "", "both empty it; time and caught shards fill it"};
     case HelpTopic::Moods:

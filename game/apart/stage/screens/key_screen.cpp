@@ -77,7 +77,7 @@ bool KeyScreen::confirm(Bindings& bindings) {
     if (row_ == kResetRow && !asked && bindings != Bindings{}) {
         notice_ = kResetQuestion;
     } else if (row_ == kResetRow) {
-        bindings = {};
+        bindings.rows = Bindings{}.rows;
     } else if (row_ < kActs) {
         waiting_ = column_ != Bindings::kPadColumn || hasButton(static_cast<Act>(row_));
         notice_ = waiting_ ? "" : "the stick moves the paddle";

@@ -44,7 +44,9 @@ Menu titleMenu(const TitleOffer& offer, const Records& records) {
     items.push_back({Action::Records, "Records"});
     items.push_back({Action::Help, "How to play"});
     items.push_back({Action::Options, "Options"});
-    items.push_back({Action::Quit, "Quit"});
+    if (offer.quits) {
+        items.push_back({Action::Quit, "Quit"});
+    }
     return {std::move(items), Real(11.48)};
 }
 

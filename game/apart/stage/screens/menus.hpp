@@ -16,6 +16,7 @@ struct TitleOffer {
     std::string play{};   // number and title of the level to play
     bool endless = false; // endless and daily runs
     Day today = 0;        // 0: no daily run
+    bool quits = true;
 };
 Menu titleMenu(const TitleOffer& offer, const Records& records);
 /// Updates the labels that depend on mode and scores.
