@@ -197,8 +197,8 @@ private:
 } // namespace
 
 Result run(const RunOptions& options) {
-    const Recipe& recipe = recipeOf(options.scene);
-    if (options.size && *recipe.sizeMeans == '\0' && *options.size != recipe.size) {
+    const Recipe recipe = recipeOf(options.scene);
+    if (options.size && recipe.sizeMeans.empty() && *options.size != recipe.size) {
         throw WrongUse("the scene " + options.scene + " has only one size");
     }
     const int size = options.size.value_or(recipe.size);

@@ -50,7 +50,7 @@ std::vector<Placed> Stage::bodies() const {
 }
 
 std::span<const Recipe> recipes() {
-    static constexpr Recipe kRecipes[] = {
+    static const Recipe kRecipes[] = {
         {"pyramid", "1 m boxes, each row one shorter", "boxes in the lowest row", 60, 300, pyramid},
         {"circles", "balls of radius 0.25 m fall into a container", "balls", 5000, 600, circles},
         {"debris", "polygons of 3 to 7 corners and Ls fall into a container", "bodies", 2000, 600,
@@ -126,10 +126,13 @@ std::span<const Recipe> recipes() {
     return kRecipes;
 }
 
-const Recipe& recipeOf(const std::string& name) {
-    for (const Recipe& recipe : recipes()) {
-        if (name == recipe.name) {
-            return recipe;
+Recipe recipeOf(const std::string& name) {
+    const std::vector<Recipe> sandbox = sandboxRecipes();
+    for (const std::span<const Recipe> list : {recipes(), std::span<const Recipe>(sandbox)}) {
+        for (const Recipe& recipe : list) {
+            if (name == recipe.name) {
+                return recipe;
+            }
         }
     }
     throw WrongUse("there is no scene '" + name + "'; --list names them all");

@@ -56,17 +56,20 @@ struct Scene {
 
 /// A named scene with its default size and number of steps.
 struct Recipe {
-    const char* name;
-    const char* about;
-    const char* sizeMeans; // empty: fixed size
+    std::string name;
+    std::string about;
+    std::string sizeMeans; // empty: fixed size
     int size;
     int steps;
-    Scene (*make)(int size, std::uint64_t seed);
+    std::function<Scene(int size, std::uint64_t seed)> make;
 };
 
 std::span<const Recipe> recipes();
-/// Throws WrongUse for an unknown name.
-const Recipe& recipeOf(const std::string& name);
+/// All scenes of the sandbox, by its names. Their `make` throws WrongUse where a scene is more than
+/// bodies and revolute joints. bench_sandbox.cpp
+std::vector<Recipe> sandboxRecipes();
+/// Of either list. Throws WrongUse for an unknown name.
+Recipe recipeOf(const std::string& name);
 
 inline constexpr double kDt = 1.0 / 60; // s
 

@@ -83,7 +83,7 @@ void list() {
     for (const Recipe& recipe : recipes()) {
         const Scene scene = recipe.make(recipe.size, 1);
         fmt::print("{:<10} {}\n{:<10} {} steps", recipe.name, recipe.about, "", recipe.steps);
-        if (*recipe.sizeMeans != '\0') {
+        if (!recipe.sizeMeans.empty()) {
             fmt::print("; size {}: {}", recipe.size, recipe.sizeMeans);
         }
         if (scene.error) {
@@ -91,6 +91,15 @@ void list() {
         }
         fmt::print("\n");
     }
+    std::string names;
+    for (const Recipe& recipe : sandboxRecipes()) {
+        try {
+            recipe.make(recipe.size, 1);
+            names += (names.empty() ? "" : ", ") + recipe.name;
+        } catch (const WrongUse&) { // no scene for all engines
+        }
+    }
+    fmt::print(" Of the sandbox: {}\n", names);
 }
 
 /// The other engine has default step options: only the scene and what is measured are shared, but

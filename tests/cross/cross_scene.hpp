@@ -51,6 +51,7 @@ struct CrossScene {
     scenes::SceneDef def;
     double bounceThreshold = 1;       // m/s, of Box2D
     std::vector<std::size_t> drawn{}; // bodies whose paths are drawn
+    std::vector<Link> links{};        // of a scene that was read
     std::function<std::vector<double>(Engine&)> measure{};
     std::vector<Figure> figures{}; // one for each number that `measure` returns
 };

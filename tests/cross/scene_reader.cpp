@@ -47,6 +47,7 @@ public:
         }
         scene.def = played_.def;
         scene.drawn = played_.drawn;
+        scene.links = played_.links;
         checkSizes(scene);
         std::vector<Comparison> comparisons;
         scene_files::eachOf(keys_, root.get("compare"), "compare", [&](const toml::table& table) {
