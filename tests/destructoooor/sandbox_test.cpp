@@ -183,6 +183,20 @@ TEST(Sandbox, MoreIterationsReduceOverlap) {
 }
 
 // The first thing that is seen: it makes one stay.
+TEST(Measures, TheGapOfAJointIsThatBetweenItsAnchors) {
+    kodo::World world;
+    const BodyId wall = world.add({.shape = kodo::Box{1, 1}, .type = kodo::BodyType::Static});
+    const BodyId door = world.add({.shape = kodo::Box{1, 1}, .position = {1, 0}});
+    world.add(kodo::RevoluteJoint{
+        .ends = {.a = wall, .b = door, .anchorA = {0.5_r, 0}, .anchorB = {-0.5_r, 0}}});
+    Measures measures;
+    measures.sample(world, 10);
+    EXPECT_EQ(measures.last().gap, 0);
+    world[door].setPosition({1.25_r, 0});
+    measures.sample(world, 10);
+    EXPECT_FLOAT_EQ(measures.last().gap, 250); // mm
+}
+
 TEST(Sandbox, StartsWithTheDefaultSolver) {
     EXPECT_EQ(Sandbox().settings(), kodo::balanced());
 }

@@ -55,6 +55,13 @@ void Measures::sample(const kodo::World& world, kodo::Real gravity) {
             now.overlap = std::max(now.overlap, static_cast<float>(-1000 * record.separation));
         }
     }
+    for (const kodo::JointId id : world.joints()) {
+        const kodo::JointDef& joint = world.joint(id);
+        if (std::holds_alternative<kodo::RevoluteJoint>(joint) ||
+            std::holds_alternative<kodo::FixedJoint>(joint)) {
+            now.gap = std::max(now.gap, static_cast<float>(1000 * world.jointState(id).length));
+        }
+    }
     now.visits = static_cast<float>(kodo::stepStats(world).contacts);
     now.stages = stages_;
     now.step = std::accumulate(stages_.begin(), stages_.end(), 0.0f);

@@ -17,6 +17,7 @@ struct Sample {
     float momentum = 0; // kg m/s, length of its sum
     float fastest = 0;  // m/s
     float awake = 0;    // bodies
+    float gap = 0;      // mm, the widest between the anchors of a revolute or fixed joint
     float visits = 0;   // of contacts by the solver: cost without a clock
     std::array<float, kodo::kStepStageNames.size()> stages{}; // us
     float step = 0;                                           // us, their sum

@@ -71,9 +71,7 @@ const Profile* profileButtons(const char* purpose) {
         if (&profile != profiles().data()) {
             ImGui::SameLine(0, 6);
         }
-        if (ImGui::SmallButton(name.c_str())) {
-            chosen = &profile;
-        }
+        chosen = ImGui::SmallButton(name.c_str()) ? &profile : chosen;
     }
     ImGui::PopID();
     return chosen;
@@ -300,6 +298,7 @@ void Panel::measureTab(const Workbench& bench) {
     }
     plot("Visits of contacts", "", samples, [](const Sample& s) { return s.visits; });
     plot("Deepest overlap", "mm", samples, [](const Sample& s) { return s.overlap; });
+    plot("Widest gap of a joint", "mm", samples, [](const Sample& s) { return s.gap; });
     plot("Energy", "J", samples, [](const Sample& s) { return s.energy; });
     plot("Momentum", "kg m/s", samples, [](const Sample& s) { return s.momentum; });
     plot("Awake", "bodies", samples, [](const Sample& s) { return s.awake; });

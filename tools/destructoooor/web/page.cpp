@@ -325,11 +325,11 @@ SANDBOX_EXPORT const char* sandbox_take() {
 }
 
 /// Cost and quality of the last step: 0 time (us), 1 deepest overlap (mm), 2 energy (J), 3 momentum
-/// (kg m/s), 4 awake bodies, 5 visits of contacts.
+/// (kg m/s), 4 awake bodies, 5 visits of contacts, 6 widest gap of a joint (mm).
 SANDBOX_EXPORT float sandbox_measure(int which) {
     const Sample last = sandbox().measures().last();
-    const float all[] = {last.step,     last.overlap, last.energy,
-                         last.momentum, last.awake,   last.visits};
+    const float all[] = {last.step,  last.overlap, last.energy, last.momentum,
+                         last.awake, last.visits,  last.gap};
     return all[which];
 }
 

@@ -10,7 +10,7 @@ const kLooks = ["Joints", "Contacts", "Impulses", "Bounds", "Velocities", "Centr
                 "Colours of islands"];
 const kMeasures = [["Time", "ms", (us) => (us / 1000).toFixed(2)], ["Deepest overlap", "mm"],
                    ["Energy", "J"], ["Momentum", "kg m/s"], ["Awake", "bodies", Math.round],
-                   ["Visits of contacts", "", Math.round]];
+                   ["Visits of contacts", "", Math.round], ["Widest gap of a joint", "mm"]];
 
 const kodo = await loadWasm(new URL("./sandbox.wasm", import.meta.url), {});
 const textAt = (at) => {
