@@ -162,31 +162,30 @@ bool ContinuousCollision::markSwift(const Bodies& bodies, bool mayBounce,
     return anySwift != 0;
 }
 
-void ContinuousCollision::run(Bodies& bodies, ContactSet& contactSet, const JointSet& joints,
-                              const Parameters& parameters, WorkerTeam& team) {
-    const auto& [settings, tolerances, dt] = parameters;
+void ContinuousCollision::run(const StepInput& input) {
+    Bodies& bodies = input.bodies;
+    ContactSet& contactSet = input.contactSet;
+    const Tolerances& tolerances = input.tolerances;
     candidates_.clear();
     stoppedAtLines_.clear();
     bool sensors = false;
-    if (markSwift(bodies, contactSet.mayBounce(), tolerances, team) ||
+    if (markSwift(bodies, contactSet.mayBounce(), tolerances, input.team) ||
         contactSet.mayHaveSensors()) {
-        sensors = findCandidates(bodies, contactSet, tolerances, team);
+        sensors = findCandidates(bodies, contactSet, tolerances, input.team);
     }
     if (!candidates_.empty() || sensors) {
         const bool driven =
             std::any_of(bodies.awake.begin(), bodies.awake.end(),
                         [&](std::uint32_t body) { return bodies.isMovingKinematic(body); });
-        const std::span<Contact> contacts = contactSet.contacts();
-        const Step step{bodies,   contactSet, joints, contacts, contactSet.summaries(),
-                        settings, tolerances, driven};
-        findImpacts(step, team);
+        const Step step{input, contactSet.contacts(), contactSet.summaries(), driven};
+        findImpacts(step, input.team);
         if (!events_.empty()) {
             stopInOrder(step);
         }
         if (sensors) {
-            noticeSensors(bodies, contactSet.store(), settings, tolerances);
+            noticeSensors(bodies, contactSet.store(), input.settings, tolerances);
         }
-        finish(bodies, dt);
+        finish(bodies, input.dt);
     }
     for (const std::uint32_t body : bodies.awake) {
         swift_[body] = 0;

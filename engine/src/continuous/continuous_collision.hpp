@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <kodo/settings.hpp>
-
-#include "base/worker_team.hpp"
 #include "bodies/bodies.hpp"
 #include "collide/time_of_impact.hpp"
-#include "contacts/contact_set.hpp"
-#include "joints/joint_set.hpp"
+#include "joints/step_input.hpp"
 
 #include <span>
 #include <vector>
@@ -32,16 +28,9 @@ inline namespace KODO_PRECISION {
 /// A body that a joint connects to a stopped one is stopped where the joint would open.
 class ContinuousCollision {
 public:
-    /// Parameters of a step.
-    struct Parameters {
-        const StepSettings& settings;
-        const Tolerances& tolerances;
-        Real dt; // s
-    };
     /// Sizes the arrays by body, so that no first use costs a step as much as all bodies.
     void makeRoom(const Bodies& bodies);
-    void run(Bodies& bodies, ContactSet& contactSet, const JointSet& joints,
-             const Parameters& parameters, WorkerTeam& team);
+    void run(const StepInput& input);
     /// Slots of the contacts with lines whose bodies the last run stopped: a corner that was far
     /// off may now be near, so their manifolds must be found again.
     std::span<const std::uint32_t> stoppedAtLines() const { return stoppedAtLines_; }
@@ -56,14 +45,9 @@ private:
         ContactKey key;
     };
     /// Inputs of all functions for one step.
-    struct Step {
-        const Bodies& bodies;
-        const ContactSet& contactSet;
-        const JointSet& joints;
-        std::span<const Contact> contacts;
+    struct Step : StepInput {
+        std::span<Contact> contacts;
         std::span<const ContactSummary> summaries;
-        const StepSettings& settings;
-        const Tolerances& tolerances;
         bool driven; // a locked body moves
     };
 

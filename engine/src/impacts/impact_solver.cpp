@@ -206,7 +206,9 @@ bool solveImpact(Bodies& bodies, Contact& contact, const ContactLane& lane,
     return !isPinched(hit) && hitContact(hit, tolerances, restSpeedOf(bodies, contact, dt));
 }
 
-void ImpactSolver::solve(Bodies& bodies, ContactSet& contactSet, const Step& step) {
+void ImpactSolver::solve(const StepInput& step) {
+    Bodies& bodies = step.bodies;
+    ContactSet& contactSet = step.contactSet;
     if (!step.settings.has(Feature::Restitution) || !(contactSet.fastestApproach() > 0)) {
         return;
     }
@@ -223,7 +225,7 @@ void ImpactSolver::solve(Bodies& bodies, ContactSet& contactSet, const Step& ste
     }
     round_ = 0;
     listCandidates(inputs);
-    const int passes = std::max(1, std::get<SoftSettings>(step.settings.solver).impactPasses);
+    const int passes = std::max(1, step.solver<SoftSettings>().impactPasses);
     bool again = true;
     for (int pass = 1; pass <= passes && again; ++pass) {
         again = solvePass(inputs, static_cast<std::uint32_t>(pass));
@@ -271,7 +273,7 @@ bool ImpactSolver::approachesNow(const Inputs& inputs, Candidate& candidate) con
         return false; // neither body was hit in this step: it approaches as measured
     }
     if (candidate.round == 0 || lastHit >= candidate.round) {
-        const Step& step = inputs.step;
+        const StepInput& step = inputs.step;
         const Impact hit = impactOf(inputs, candidate.slot);
         candidate.round = round_;
         candidate.approaches = hit.contact->responds() &&

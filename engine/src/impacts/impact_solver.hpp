@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <kodo/settings.hpp>
-
 #include "base/disjoint_sets.hpp"
 #include "bodies/bodies.hpp"
-#include "contacts/contact_set.hpp"
+#include "joints/step_input.hpp"
 
 #include <span>
 #include <utility>
@@ -35,26 +33,19 @@ inline namespace KODO_PRECISION {
 /// at rest.
 class ImpactSolver {
 public:
-    struct Step {
-        const StepSettings& settings;
-        const Tolerances& tolerances;
-        Real dt; // s
-        WorkerTeam& team;
-    };
-
     /// Sizes the arrays by body, so that no first use costs a step as much as all bodies.
     void makeRoom(const Bodies& bodies) {
         resizeByBody(lastHit_, bodies); // all 0 between steps
         sets_.reserve(bodies.record.capacity());
         sets_.resize(bodies.size());
     }
-    void solve(Bodies& bodies, ContactSet& contactSet, const Step& step);
+    void solve(const StepInput& step);
 
 private:
     struct Inputs {
         Bodies& bodies;
         ContactSet& contactSet;
-        const Step& step;
+        const StepInput& step;
         Real restSpeed; // m/s; no slower contact has an impact
     };
     /// A contact that may have an impact in this step, and the results of its rounds.

@@ -161,7 +161,8 @@ void Propagation::fillByIsland(const List& list, std::vector<std::uint32_t>& end
 
 /// A contact with restitution is solved where it will touch. A contact without is solved once it
 /// touches; until then the contact passes let it close the gap.
-void Propagation::resolveCollisions(Bodies& bodies, ContactStore& store, const Step& step, Real h) {
+void Propagation::resolveCollisions(Bodies& bodies, ContactStore& store, const StepInput& step,
+                                    Real h) {
     const std::span<Contact> contacts = store.contacts();
     struck_.clear();
     reserveReusing(struck_, contacts.size()); // capacity for an impact of many
@@ -174,7 +175,9 @@ void Propagation::resolveCollisions(Bodies& bodies, ContactStore& store, const S
         }
     });
     bool any = !struck_.empty();
-    for (int pass = 0; pass < step.own().impactPasses && std::exchange(any, false); ++pass) {
+    for (int pass = 0;
+         pass < step.solver<PropagationSettings>().impactPasses && std::exchange(any, false);
+         ++pass) {
         forEachIn(struckEnds_, {Stage::Impacts, static_cast<std::uint32_t>(pass)},
                   [&](std::size_t k) {
                       any = solveImpact(bodies, contacts[struck_[k]], store.lane(struck_[k]),
@@ -189,7 +192,7 @@ void Propagation::resolveCollisions(Bodies& bodies, ContactStore& store, const S
 /// need more than a step to find its impulses: a parked car crept by 6 mm/s. The impulse of a blow
 /// would come again, so a contact starts with impulses only while its bodies rest against it.
 void Propagation::makeRows(Bodies& bodies, ContactStore& store, const JointLists& joints,
-                           const Step& step, Real h) {
+                           const StepInput& step, Real h) {
     const std::span<const Contact> contacts = store.contacts();
     rows_.clear();
     reserveReusing(rows_, contacts.size());
@@ -252,9 +255,10 @@ void Propagation::propagateShock(Bodies& bodies, const PropagationSettings& sett
     });
 }
 
-void Propagation::separate(Bodies& bodies, const Step& step, Real h) {
+void Propagation::separate(Bodies& bodies, const StepInput& step, Real h) {
     const Real unit = step.tolerances.slop * Tolerances::kSlopsPerUnit;
-    const SeparationLimits limits{step.tolerances.slop / 4, step.own().pushSpeed * unit * h};
+    const SeparationLimits limits{step.tolerances.slop / 4,
+                                  step.solver<PropagationSettings>().pushSpeed * unit * h};
     const bool any = std::any_of(rows_.begin(), rows_.end(), [&](const PropagationRow& row) {
         return std::min(row.points[0].gap, row.points[row.count - 1].gap) < -limits.allowed;
     });
@@ -264,15 +268,16 @@ void Propagation::separate(Bodies& bodies, const Step& step, Real h) {
     for (const PropagationRow& row : rows_) {
         parting_[row.a] = parting_[row.b] = {};
     }
-    for (int pass = 0; pass < step.own().contactPasses; ++pass) {
+    for (int pass = 0; pass < step.solver<PropagationSettings>().contactPasses; ++pass) {
         forEachRow(Stage::Separation, pass, [&](PropagationRow& row) {
             separateRow(row, parting_, massesOf(bodies, row), limits);
         });
     }
-    if (step.own().shockPasses > 0) {
-        forEachLevel(Stage::SeparationShock, step.own().shockPasses, [&](PropagationRow& row) {
-            separateRow(row, parting_, frozenMasses(bodies, row), limits);
-        });
+    if (step.solver<PropagationSettings>().shockPasses > 0) {
+        forEachLevel(Stage::SeparationShock, step.solver<PropagationSettings>().shockPasses,
+                     [&](PropagationRow& row) {
+                         separateRow(row, parting_, frozenMasses(bodies, row), limits);
+                     });
     }
     for (const PropagationRow& row : rows_) {
         for (const std::uint32_t body : {row.a, row.b}) { // applied once, then cleared
@@ -328,11 +333,13 @@ void Propagation::relax(Bodies& bodies, JointSet& joints, JointPass pass,
     }
 }
 
-void Propagation::solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints,
-                        const Step& step) {
+void Propagation::solve(const StepInput& step) {
+    Bodies& bodies = step.bodies;
+    ContactSet& contactSet = step.contactSet;
+    JointSet& joints = step.joints;
     contactSet.leavePasses(bodies);
     ContactStore& store = contactSet.store();
-    const PropagationSettings& settings = step.own();
+    const PropagationSettings& settings = step.solver<PropagationSettings>();
     const Real h = step.dt / static_cast<Real>(settings.substeps);
     JointPass pass{.h = h,
                    .stiff = Softness::from(settings.jointHertz, settings.jointDamping, h),

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <kodo/settings.hpp>
-
 #include "base/disjoint_sets.hpp"
 #include "bodies/integrate.hpp"
-#include "contacts/contact_set.hpp"
-#include "joints/joint_set.hpp"
+#include "joints/step_input.hpp"
 
 #include <span>
 #include <vector>
@@ -42,22 +39,11 @@ inline namespace KODO_PRECISION {
 /// while each single body is stable.
 class Propagation {
 public:
-    struct Step {
-        const StepSettings& settings;
-        const Tolerances& tolerances;
-        Real dt;             // s
-        std::uint64_t count; // steps of the World so far; numbers the passes
-
-        const PropagationSettings& own() const {
-            return std::get<PropagationSettings>(settings.solver);
-        }
-    };
-
     /// Sizes the arrays by body, so that no first use costs a step as much as all bodies.
     void makeRoom(const Bodies& bodies);
     /// Needs fresh manifolds at the start poses. Leaves them with the separations before the last
     /// substep, and with impulses. Bodies get their displacements.
-    void solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints, const Step& step);
+    void solve(const StepInput& step);
 
     /// Visits of contacts by passes in the last step: a measure of its cost.
     std::size_t visits() const { return visits_; }
@@ -93,15 +79,15 @@ private:
     void addRow(const Bodies& bodies, const Contact& contact, std::uint32_t slot,
                 const StepSettings& settings);
     void predict(const Bodies& bodies, ContactStore& store, const Prediction& prediction);
-    void resolveCollisions(Bodies& bodies, ContactStore& store, const Step& step, Real h);
-    void makeRows(Bodies& bodies, ContactStore& store, const JointLists& joints, const Step& step,
-                  Real h);
+    void resolveCollisions(Bodies& bodies, ContactStore& store, const StepInput& step, Real h);
+    void makeRows(Bodies& bodies, ContactStore& store, const JointLists& joints,
+                  const StepInput& step, Real h);
     void resolveContacts(Bodies& bodies, JointSet& joints, const JointPass& pass,
                          const PropagationSettings& settings);
     void findLevels(const Bodies& bodies);
     void sortByLevel();
     void propagateShock(Bodies& bodies, const PropagationSettings& settings, Real invH);
-    void separate(Bodies& bodies, const Step& step, Real h);
+    void separate(Bodies& bodies, const StepInput& step, Real h);
     RowMasses frozenMasses(const Bodies& bodies, const PropagationRow& row) const;
     void markExposure(const Bodies& bodies, const JointLists& joints, Real h, Real slop);
     void relax(Bodies& bodies, JointSet& joints, JointPass pass,
@@ -136,7 +122,7 @@ private:
     std::vector<std::uint32_t> byLevel_;    // rows that the ground supports, by island and level
     std::vector<LevelRows> levelRows_;
     ShockLevels levels_;
-    std::uint64_t substep_ = 0; // number of the current one; follows from Step::count
+    std::uint64_t substep_ = 0; // number of the current one; follows from StepInput::count
     std::size_t visits_ = 0;
 };
 

@@ -57,7 +57,7 @@ void scaleImpulses(const ContactLanes::Place& at, Real factor) {
 
 } // namespace
 
-bool LoadRelease::isKicked(const Inputs& inputs, std::uint32_t body, Real h) const {
+bool LoadRelease::isKicked(const StepInput& inputs, std::uint32_t body, Real h) const {
     const BodyVelocity& motion = inputs.bodies.motion[body];
     const Real force = h * inputs.bodies.acceleration[body].forcePerMass;
     const Real least = std::max(kSmallKick * inputs.tolerances.slop, force / 2);
@@ -74,7 +74,7 @@ void LoadRelease::addKicked(std::uint32_t body) {
 }
 
 /// Finds the velocity change of a body by each of its contacts.
-void LoadRelease::findGains(const Inputs& inputs, std::uint32_t body) {
+void LoadRelease::findGains(const StepInput& inputs, std::uint32_t body) {
     slots_.clear();
     gains_.clear();
     const std::span<const ContactSummary> summaries = inputs.contactSet.summaries();
@@ -97,7 +97,7 @@ void LoadRelease::findGains(const Inputs& inputs, std::uint32_t body) {
         BodyVelocity& other =
             inputs.bodies.motion[summary.bodyA == body ? summary.bodyB : summary.bodyA];
         const BodyVelocity otherKept = other;
-        applyImpulses(inputs.bodies, inputs.blocks.placeOf(summary.row.index), 1);
+        applyImpulses(inputs.bodies, inputs.contactSet.lanes().placeOf(summary.row.index), 1);
         gains_.push_back(
             {slot, motion.velocity - kept.velocity, motion.angularVelocity - kept.angularVelocity});
         motion = kept;
@@ -106,9 +106,9 @@ void LoadRelease::findGains(const Inputs& inputs, std::uint32_t body) {
 }
 
 /// Takes back the impulses that kick a body. Adds the bodies that this kicks to the queue.
-void LoadRelease::release(const Inputs& inputs, std::uint32_t body, Real h) {
+void LoadRelease::release(const StepInput& inputs, std::uint32_t body, Real h) {
     Bodies& bodies = inputs.bodies;
-    ContactBlocks& blocks = inputs.blocks;
+    ContactBlocks& blocks = inputs.contactSet.lanes();
     const BodyVelocity& motion = bodies.motion[body];
     const Twist kick = kickOf(bodies, before_[body], body, h);
     const Real gyration = motion.invInertia > 0 ? motion.invMass / motion.invInertia : Real(0);
@@ -162,7 +162,7 @@ Real LoadRelease::separatingSpeed(const Bodies& bodies, const ContactLanes::Plac
 }
 
 /// Takes back the impulses of contacts that separate too fast to carry anything.
-void LoadRelease::releaseSeparating(const Inputs& inputs, std::uint32_t body, Real h) {
+void LoadRelease::releaseSeparating(const StepInput& inputs, std::uint32_t body, Real h) {
     slots_.clear();
     inputs.contactSet.store().lists().forEach(body, [&](std::uint32_t slot) {
         if (inputs.contactSet.summaries()[slot].inPasses()) {
@@ -172,7 +172,7 @@ void LoadRelease::releaseSeparating(const Inputs& inputs, std::uint32_t body, Re
     inputs.contactSet.store().sortByKey(slots_); // sums depend on the order
     for (const std::uint32_t slot : slots_) {
         const ContactSummary& summary = inputs.contactSet.summaries()[slot];
-        const ContactLanes::Place lane = inputs.blocks.placeOf(summary.row.index);
+        const ContactLanes::Place lane = inputs.contactSet.lanes().placeOf(summary.row.index);
         const Real fall = h * (inputs.bodies.acceleration[summary.bodyA].forcePerMass +
                                inputs.bodies.acceleration[summary.bodyB].forcePerMass);
         const Real sum =
@@ -189,7 +189,7 @@ void LoadRelease::releaseSeparating(const Inputs& inputs, std::uint32_t body, Re
     }
 }
 
-void LoadRelease::run(const Inputs& inputs, std::span<const std::uint32_t> list,
+void LoadRelease::run(const StepInput& inputs, std::span<const std::uint32_t> list,
                       std::span<const Velocity> before, Real h) {
     const Bodies& bodies = inputs.bodies;
     if (bodies.changes.lostLoads.empty()) {

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "bodies/bodies.hpp"
-#include "contacts/contact_set.hpp"
-#include "joints/joint_set.hpp"
+#include "joints/step_input.hpp"
 
 #include <cstdint>
 #include <span>
@@ -37,14 +36,6 @@ public:
     struct Velocity {
         Four speeds{};
     };
-    struct Inputs {
-        Bodies& bodies;
-        ContactSet& contactSet;
-        const JointSet& joints;
-        ContactBlocks& blocks;
-        const Tolerances& tolerances;
-    };
-
     /// Sizes the arrays by body.
     void makeRoom(const Bodies& bodies) {
         resizeByBody(visits_, bodies);
@@ -52,7 +43,7 @@ public:
     }
     /// After the warm start of contacts in a substep of h (s). `list`: bodies; `before`: their
     /// velocities with the forces of the substep, without contacts and joints.
-    void run(const Inputs& inputs, std::span<const std::uint32_t> list,
+    void run(const StepInput& inputs, std::span<const std::uint32_t> list,
              std::span<const Velocity> before, Real h);
 
 private:
@@ -63,12 +54,12 @@ private:
         Real angular;
     };
 
-    bool isKicked(const Inputs& inputs, std::uint32_t body, Real h) const;
+    bool isKicked(const StepInput& inputs, std::uint32_t body, Real h) const;
     Real separatingSpeed(const Bodies& bodies, const ContactLanes::Place& at) const;
-    void releaseSeparating(const Inputs& inputs, std::uint32_t body, Real h);
+    void releaseSeparating(const StepInput& inputs, std::uint32_t body, Real h);
     void addKicked(std::uint32_t body);
-    void release(const Inputs& inputs, std::uint32_t body, Real h);
-    void findGains(const Inputs& inputs, std::uint32_t body);
+    void release(const StepInput& inputs, std::uint32_t body, Real h);
+    void findGains(const StepInput& inputs, std::uint32_t body);
 
     std::span<const Velocity> before_;
     std::vector<std::uint32_t> changed_; // bodies with BodyRecord::lostLoad

@@ -121,7 +121,9 @@ void ManifoldRefresh::findFast(const Step& step) {
 }
 
 void ManifoldRefresh::find(const Step& step, std::uint32_t slot) {
-    auto& [bodies, contactSet, tolerances, dt, h, arriving] = step;
+    Bodies& bodies = step.bodies;
+    ContactSet& contactSet = step.contactSet;
+    const Tolerances& tolerances = step.tolerances;
     const ContactEntry entry = contactSet.store().entry(slot);
     Contact& contact = entry.contact;
     const ContactLane lane = contactSet.store().lane(slot);
@@ -135,8 +137,8 @@ void ManifoldRefresh::find(const Step& step, std::uint32_t slot) {
     const Moved movedA(bodies, entry.summary.bodyA);
     const Moved movedB(bodies, entry.summary.bodyB);
     Tolerances wider = tolerances;
-    wider.margin += wayOf(bodies, entry.summary, h);
-    findContact(contact, lane, bodies, wider, dt);
+    wider.margin += wayOf(bodies, entry.summary, step.h);
+    findContact(contact, lane, bodies, wider, step.dt);
     const Real core = std::min(bodies.extent[entry.summary.bodyA].coreRadius,
                                bodies.extent[entry.summary.bodyB].coreRadius);
     const Real deepest = leastOf(separationsOf(contact.manifold), contact.manifold.count);

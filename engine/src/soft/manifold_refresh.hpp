@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bodies/bodies.hpp"
-#include "contacts/contact_set.hpp"
+#include "joints/step_input.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,11 +26,7 @@ inline namespace KODO_PRECISION {
 /// discs need no look. A step without fast bodies costs a comparison per body and substep.
 class ManifoldRefresh {
 public:
-    struct Step {
-        Bodies& bodies;
-        ContactSet& contactSet;
-        const Tolerances& tolerances;
-        Real dt;                                 // s, of the step
+    struct Step : StepInput {
         Real h;                                  // s, of the substep
         std::span<const std::uint32_t> arriving; // Refinement::arriving()
     };

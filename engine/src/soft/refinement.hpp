@@ -2,8 +2,7 @@
 #pragma once
 
 #include "bodies/bodies.hpp"
-#include "contacts/contact_set.hpp"
-#include "joints/joint_set.hpp"
+#include "joints/step_input.hpp"
 
 #include <span>
 #include <utility>
@@ -32,14 +31,8 @@ class Refinement {
 public:
     static constexpr std::uint32_t kLevels = BlockBins::kLevels;
 
-    struct Step {
-        const Bodies& bodies;
-        ContactSet& contactSet;
-        const JointSet& joints;
-        const StepSettings& settings;
-        const Tolerances& tolerances;
+    struct Step : StepInput {
         Real hertz; // of contacts in a whole substep
-        Real dt;    // s
         Real h;     // s, of a whole substep
     };
     /// Sizes the array by body.

@@ -63,8 +63,8 @@ void SoftSolver::takeNewcomer(const Bodies& bodies, ContactSet& contactSet, std:
 }
 
 /// Prepares the collection of contacts in a step.
-void SoftSolver::beginCollecting(const Bodies& bodies, ContactSet& contactSet,
-                                 const JointSet& joints, const Step& step) {
+void SoftSolver::beginCollecting(const StepInput& step) {
+    ContactSet& contactSet = step.contactSet;
     const std::uint32_t partitions = step.team.partitions();
     ContactBlocks& blocks = contactSet.lanes();
     bool shared = false;
@@ -72,31 +72,31 @@ void SoftSolver::beginCollecting(const Bodies& bodies, ContactSet& contactSet,
         shared = shared || blocks.worthPartitioning(level);
     }
     if (blocks.countReorder() || (shared && blocks.partitions().count() != partitions)) {
-        contactSet.rebuildLanes(bodies, shared ? partitions : 1);
+        contactSet.rebuildLanes(step.bodies, shared ? partitions : 1);
     }
     blocks.begin(contactSet.store().all(), step.settings.has(Feature::Friction),
                  step.settings.has(Feature::RollingResistance));
-    clearMarks(bodies, joints);
+    clearMarks(step.bodies, step.joints);
     newcomers_.clear();
 }
 
 /// Finds how the bodies of contacts with restitution part. Before any contact moves to another
 /// lane, since each of these looks at the contacts of its bodies.
-void SoftSolver::findDepartures(const Collecting& run) {
-    if (!run.contactSet.mayBounce() || !run.step.settings.has(Feature::Restitution)) {
+void SoftSolver::findDepartures(const StepInput& step) {
+    if (!step.contactSet.mayBounce() || !step.settings.has(Feature::Restitution)) {
         return;
     }
-    ContactStore& store = run.contactSet.store();
-    const std::span<const std::uint32_t> live = run.contactSet.live();
-    const Real slop = run.step.tolerances.slop;
+    ContactStore& store = step.contactSet.store();
+    const std::span<const std::uint32_t> live = step.contactSet.live();
+    const Real slop = step.tolerances.slop;
     departures_.resize(store.contacts().size());
-    run.step.team.forEach(live.size(), kNewcomersPerPiece, [&](std::size_t from, std::size_t to) {
+    step.team.forEach(live.size(), kNewcomersPerPiece, [&](std::size_t from, std::size_t to) {
         for (const std::uint32_t place : live.subspan(from, to - from)) {
-            if (run.contactSet.summaries()[place].bounces &&
-                needsRow(run.bodies, store, place, true, slop)) {
-                const bool held = isJointed(run.bodies, run.joints, store.contacts()[place].key);
-                departures_[place] =
-                    departureOf(run.bodies, store, place, !held, slop, run.step.dt);
+            if (step.contactSet.summaries()[place].bounces &&
+                needsRow(step.bodies, store, place, true, slop)) {
+                const bool held =
+                    isJointed(step.bodies, step.joints.lists(), store.contacts()[place].key);
+                departures_[place] = departureOf(step.bodies, store, place, !held, slop, step.dt);
             }
         }
     });
@@ -105,26 +105,23 @@ void SoftSolver::findDepartures(const Collecting& run) {
 /// Collects the contacts for the blocks, and marks bodies that are touched or crowded. A body
 /// inside a heap is separated from many others, and those behind it add to this. Together they must
 /// not exceed the push speed of one contact, or the heap would burst.
-void SoftSolver::collect(const Bodies& bodies, ContactSet& contactSet, const JointSet& joints,
-                         const Step& step) {
-    const std::span<const std::uint32_t> live = contactSet.live();
-    beginCollecting(bodies, contactSet, joints, step);
-    const Collecting run{bodies, contactSet, joints.lists(), step};
-    findDepartures(run);
+void SoftSolver::collect(const StepInput& step) {
+    const std::span<const std::uint32_t> live = step.contactSet.live();
+    beginCollecting(step);
+    findDepartures(step);
     found_.gather(step.team, live.size(), kNewcomersPerPiece, newcomers_,
                   [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& newcomers) {
                       forPieces(first, last, kNewcomersPerPiece, [&](auto from, auto to) {
-                          collectPiece(run, live.subspan(from, to - from), newcomers);
+                          collectPiece(step, live.subspan(from, to - from), newcomers);
                       });
                   });
 }
 
 /// First the kept contacts, by their summaries alone, then the others.
-void SoftSolver::collectPiece(const Collecting& run, std::span<const std::uint32_t> places,
+void SoftSolver::collectPiece(const StepInput& step, std::span<const std::uint32_t> places,
                               std::vector<std::uint32_t>& newcomers) {
-    const Bodies& bodies = run.bodies;
-    ContactSet& contactSet = run.contactSet;
-    const Step& step = run.step;
+    const Bodies& bodies = step.bodies;
+    ContactSet& contactSet = step.contactSet;
     const std::span<Contact> contacts = contactSet.contacts();
     // local copies, since a byte store may alias the originals
     const ContactSummary* const summaryOf = contactSet.summaries().data();
@@ -141,7 +138,7 @@ void SoftSolver::collectPiece(const Collecting& run, std::span<const std::uint32
         if (keeps && summary.kept && !bounces && needsRow(bodies, store, place, false, slop)) {
             KODO_ASSERT(mayBeKept(contacts[place], summary));
             blocks.keep(summary.row.index);
-            markExposure(run, place, false);
+            markExposure(step, place, false);
         } else if (!keeps || summary.mayTouch || summary.inPasses()) {
             visited.add(place);
         }
@@ -160,18 +157,18 @@ void SoftSolver::collectPiece(const Collecting& run, std::span<const std::uint32
         } else {
             takeNewcomer(bodies, contactSet, place, friction, newcomers);
         }
-        markExposure(run, place, departure != Departure::None);
+        markExposure(step, place, departure != Departure::None);
     });
 }
 
 /// Marks both bodies as touched or near, and counts deep overlaps. A body that leaves is only near,
 /// so it follows its parabola from the impact on.
-void SoftSolver::markExposure(const Collecting& run, std::uint32_t place, bool leaves) {
-    const ContactSummary& summary = run.contactSet.summaries()[place];
-    const Bodies& bodies = run.bodies;
-    const WorkerTeam& team = run.step.team;
-    const Real slop = run.step.tolerances.slop;
-    const Real separation = run.contactSet.store().separation(place);
+void SoftSolver::markExposure(const StepInput& step, std::uint32_t place, bool leaves) {
+    const ContactSummary& summary = step.contactSet.summaries()[place];
+    const Bodies& bodies = step.bodies;
+    const WorkerTeam& team = step.team;
+    const Real slop = step.tolerances.slop;
+    const Real separation = step.contactSet.store().separation(place);
     std::uint8_t* const marks = separation <= slop && !leaves ? touched_.data() : near_.data();
     WorkerTeam::mark(marks[summary.bodyA]);
     WorkerTeam::mark(marks[summary.bodyB]);

@@ -126,8 +126,10 @@ void SoftSolver::moveKinematic(Bodies& bodies, Real dt) {
     moveFreely(bodies, kinematic_, dt);
 }
 
-void SoftSolver::solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints, const Step& step) {
-    if (joints.awakeCount() == 0 &&
+void SoftSolver::solve(const StepInput& step) {
+    Bodies& bodies = step.bodies;
+    ContactSet& contactSet = step.contactSet;
+    if (step.joints.awakeCount() == 0 &&
         noneNeedsRow(bodies, contactSet, step.settings, step.tolerances)) {
         if (contactSet.lanes().size() > 0) {
             contactSet.lanes().forgetLanes();
@@ -135,7 +137,7 @@ void SoftSolver::solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints,
         moveFreely(bodies, bodies.awake, step.dt);
         visits_ = 0;
     } else {
-        solveHeld(bodies, contactSet, joints, step);
+        solveHeld(step);
     }
 }
 
@@ -150,17 +152,15 @@ void SoftSolver::refine(const Bodies& bodies, ContactSet& contactSet) {
 }
 
 /// solve() for a step in which some bodies have contacts or joints.
-void SoftSolver::solveHeld(Bodies& bodies, ContactSet& contactSet, JointSet& joints,
-                           const Step& step) {
-    const auto& [settings, tolerances, dt, team] = step;
-    const SoftSettings& soft = std::get<SoftSettings>(settings.solver);
+void SoftSolver::solveHeld(const StepInput& step) {
+    const auto& [bodies, contactSet, joints, settings, tolerances, dt, team, count] = step;
+    const SoftSettings& soft = step.solver<SoftSettings>();
     const Real hertz =
         std::min(soft.contactHertz, kMostCycles * static_cast<Real>(soft.substeps) / dt);
-    if (refinement_.find({bodies, contactSet, joints, settings, tolerances, hertz, dt,
-                          dt / static_cast<Real>(soft.substeps)})) {
+    if (refinement_.find({step, hertz, dt / static_cast<Real>(soft.substeps)})) {
         refine(bodies, contactSet);
     }
-    collect(bodies, contactSet, joints, step);
+    collect(step);
     if (anyCrowded_ != 0) {
         limitOverlaps(bodies, contactSet);
     }
@@ -177,7 +177,7 @@ void SoftSolver::solveHeld(Bodies& bodies, ContactSet& contactSet, JointSet& joi
     manifoldRefresh_.begin(dt);
     for (std::uint32_t level = 0; level < Refinement::kLevels; ++level) {
         if (!groups_[level].bound.empty()) {
-            solveGroup(bodies, contactSet, joints, step, level);
+            solveGroup(step, level);
         }
     }
     moveKinematic(bodies, dt);
@@ -188,10 +188,9 @@ void SoftSolver::solveHeld(Bodies& bodies, ContactSet& contactSet, JointSet& joi
 }
 
 /// Solves the islands of a level.
-void SoftSolver::solveGroup(Bodies& bodies, ContactSet& contactSet, JointSet& joints,
-                            const Step& step, std::uint32_t level) {
-    const auto& [settings, tolerances, dt, team] = step;
-    const SoftSettings& soft = std::get<SoftSettings>(settings.solver);
+void SoftSolver::solveGroup(const StepInput& step, std::uint32_t level) {
+    const auto& [bodies, contactSet, joints, settings, tolerances, dt, team, count] = step;
+    const SoftSettings& soft = step.solver<SoftSettings>();
     ContactBlocks& blocks = contactSet.lanes();
     const int parts = 1 << level;
     const int substeps = parts * soft.substeps;
@@ -212,10 +211,7 @@ void SoftSolver::solveGroup(Bodies& bodies, ContactSet& contactSet, JointSet& jo
     WorkerTeam serial;
     const bool helped =
         blocks.worthPartitioning(level) && blocks.partitions().count() == team.partitions();
-    Substeps run{bodies,
-                 contactSet,
-                 joints,
-                 step,
+    Substeps run{step,
                  level,
                  {},
                  jointPass,
@@ -238,24 +234,22 @@ void SoftSolver::preparePasses(Substeps& run) {
     Group& group = groups_[run.level];
     ContactBlocks& blocks = run.contactSet.lanes();
     run.pass = blocks.pass(run.bodies, run.level, run.pass.settings);
-    if (!run.team.alone()) {
+    if (!run.helpers.alone()) {
         group.partitions.buildGraph({blocks, run.level, run.pass, group.bound, run.bodies.size()},
-                                    run.team);
+                                    run.helpers);
     }
 }
 
 /// Before the passes of a substep: contacts get new manifolds and lanes where their bodies have
 /// turned too far. Impulses that a warm start has applied act along the new manifold.
 void SoftSolver::refreshManifolds(Substeps& run, bool first) {
-    if (!run.team.alone()) {
+    if (!run.helpers.alone()) {
         runPhases(run);
     }
     Bodies& bodies = run.bodies;
     ContactStore& store = run.contactSet.store();
-    const Tolerances& tolerances = run.step.tolerances;
-    const ManifoldRefresh::Step step{bodies,      run.contactSet,  tolerances,
-                                     run.step.dt, run.jointPass.h, refinement_.arriving()};
-    const bool restitution = run.step.settings.has(Feature::Restitution);
+    const ManifoldRefresh::Step step{run, run.jointPass.h, refinement_.arriving()};
+    const bool restitution = run.settings.has(Feature::Restitution);
     const auto isSolved = [&](std::uint32_t body) {
         return bodies.isStill(body) ||
                (bodies.active(body) && exposure_[body] != ContactExposure::Free &&

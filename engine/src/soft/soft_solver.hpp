@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <kodo/settings.hpp>
-
-#include "base/worker_team.hpp"
 #include "bodies/bodies.hpp"
 #include "bodies/integrate.hpp"
-#include "contacts/contact_set.hpp"
-#include "joints/joint_set.hpp"
+#include "joints/step_input.hpp"
 
 #include <array>
 #include <span>
@@ -40,16 +36,9 @@ inline namespace KODO_PRECISION {
 /// the first substep sums it over the contacts.
 class SoftSolver {
 public:
-    struct Step {
-        const StepSettings& settings;
-        const Tolerances& tolerances;
-        Real dt; // s
-        WorkerTeam& team;
-    };
-
     /// Sizes the arrays by body, so that no first use costs a step as much as all bodies.
     void makeRoom(const Bodies& bodies);
-    void solve(Bodies& bodies, ContactSet& contactSet, JointSet& joints, const Step& step);
+    void solve(const StepInput& step);
     /// Visits of contacts in the last step.
     std::size_t visits() const { return visits_; }
 
@@ -63,16 +52,12 @@ private:
         BlockPartitions partitions;
     };
     /// Inputs of all substeps of a group.
-    struct Substeps {
-        Bodies& bodies;
-        ContactSet& contactSet;
-        JointSet& joints;
-        const Step& step;
+    struct Substeps : StepInput {
         std::uint32_t level;
         ContactPassArguments pass;
         JointPass& jointPass;
         Real pushSpeed; // m/s
-        WorkerTeam& team;
+        WorkerTeam& helpers;
     };
     /// A part of a substep: a pass over all blocks, or work on all bodies of the group.
     struct Phase {
@@ -83,36 +68,25 @@ private:
         std::uint32_t firstPhase = 0; // number in WorkerTeam::inPhases
     };
 
-    /// Inputs of collectPiece().
-    struct Collecting {
-        const Bodies& bodies;
-        ContactSet& contactSet;
-        const JointLists& joints;
-        const Step& step;
-    };
-
-    void collect(const Bodies& bodies, ContactSet& contactSet, const JointSet& joints,
-                 const Step& step);
-    void findDepartures(const Collecting& run);
-    void collectPiece(const Collecting& run, std::span<const std::uint32_t> places,
+    void collect(const StepInput& step);
+    void findDepartures(const StepInput& step);
+    void collectPiece(const StepInput& step, std::span<const std::uint32_t> places,
                       std::vector<std::uint32_t>& newcomers);
-    void markExposure(const Collecting& run, std::uint32_t place, bool leaves);
+    void markExposure(const StepInput& step, std::uint32_t place, bool leaves);
     void clearOverlapCounts(ContactSet& contactSet);
     void clearMarks(const Bodies& bodies, const JointSet& joints);
-    void beginCollecting(const Bodies& bodies, ContactSet& contactSet, const JointSet& joints,
-                         const Step& step);
+    void beginCollecting(const StepInput& step);
     void takeNewcomer(const Bodies& bodies, ContactSet& contactSet, std::uint32_t place,
                       bool friction, std::vector<std::uint32_t>& newcomers);
     void refine(const Bodies& bodies, ContactSet& contactSet);
     void countOverlap(const Bodies& bodies, const ContactSummary& summary, const WorkerTeam& team);
     void limitOverlaps(Bodies& bodies, ContactSet& contactSet);
     void findJointed(const JointSet& joints);
-    void solveHeld(Bodies& bodies, ContactSet& contactSet, JointSet& joints, const Step& step);
+    void solveHeld(const StepInput& step);
     bool noneNeedsRow(const Bodies& bodies, ContactSet& contactSet, const StepSettings& settings,
                       const Tolerances& tolerances);
     void moveFree(Bodies& bodies, Real dt);
-    void solveGroup(Bodies& bodies, ContactSet& contactSet, JointSet& joints, const Step& step,
-                    std::uint32_t level);
+    void solveGroup(const StepInput& step, std::uint32_t level);
     void splitGroups(const Bodies& bodies);
     void moveKinematic(Bodies& bodies, Real dt);
     template <typename Pass>

@@ -41,7 +41,7 @@ void SoftSolver::move(Bodies& bodies, std::span<const std::uint32_t> list, Real 
 /// kinematic bodies, and only the calling thread solves joints. With either, the team waits after
 /// each phase.
 void SoftSolver::addPhase(Substeps& run, const Phase& phase) {
-    if (run.team.alone()) {
+    if (run.helpers.alone()) {
         if (phase.pass != nullptr) {
             ContactPassArguments pass = run.pass;
             pass.settings = phase.settings;
@@ -67,7 +67,7 @@ void SoftSolver::runPhases(Substeps& run) {
         phase.firstPhase = phases;
         phases += phase.pass != nullptr ? 2 * partitions.colours() : 2;
     }
-    run.team.inPhases(phases, [&](std::uint32_t partition, std::uint32_t number) {
+    run.helpers.inPhases(phases, [&](std::uint32_t partition, std::uint32_t number) {
         const Phase& phase = *std::prev(
             std::upper_bound(phases_.begin(), phases_.end(), number,
                              [](std::uint32_t at, const Phase& p) { return at < p.firstPhase; }));
@@ -109,12 +109,10 @@ void SoftSolver::passJoints(Substeps& run, Pass pass) {
 
 /// After the warm start: releases impulses that carried a load which is gone.
 void SoftSolver::releaseLoads(Substeps& run) {
-    if (!run.team.alone()) {
+    if (!run.helpers.alone()) {
         runPhases(run);
     }
-    loadRelease_.run(
-        {run.bodies, run.contactSet, run.joints, run.contactSet.lanes(), run.step.tolerances},
-        groups_[run.level].bound, before_, run.jointPass.h);
+    loadRelease_.run(run, groups_[run.level].bound, before_, run.jointPass.h);
 }
 
 /// Joint arms rotate within a step, so joints warm start with their own impulses in each substep.
@@ -167,7 +165,7 @@ void SoftSolver::runSubsteps(Substeps& run, int substeps) {
     for (int substep = 0; substep < substeps; ++substep) {
         runSubstep(run, substep, substeps);
     }
-    if (!run.team.alone()) {
+    if (!run.helpers.alone()) {
         runPhases(run);
     }
 }

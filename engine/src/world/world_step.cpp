@@ -56,11 +56,13 @@ void WorldStep::run(StageListener* listener) {
     wakeIslands(arrivals);
     gatherForces();
     enter(StepStage::Solve);
-    solve();
+    const StepInput input{bodies_,     contacts_, joints_, settings_,
+                          tolerances_, dt_,       team_,   stepCount_};
+    solve(input);
     countLostLoads(bodies_);
     enter(StepStage::Continuous);
     if (settings_.has(Feature::ContinuousCollision)) {
-        runContinuous();
+        runContinuous(input);
     }
     enter(StepStage::Record);
     joints_.count(bodies_);
@@ -148,13 +150,13 @@ void WorldStep::gatherForces() {
 }
 
 /// Continuous collision: shortens displacements at the first impact.
-void WorldStep::runContinuous() {
+void WorldStep::runContinuous(const StepInput& input) {
     contacts_.coverDisplacements(bodies_, joints_.lists(), tolerances_, team_);
     if (canWake() && sleep_.wakeRunOver(bodies_, contacts_, tolerances_)) {
         updateAwake();
     }
     if (!contacts_.contacts().empty()) {
-        continuous_.run(bodies_, contacts_, joints_, {settings_, tolerances_, dt_}, team_);
+        continuous_.run(input);
         for (const std::uint32_t slot : continuous_.stoppedAtLines()) {
             contacts_.store().lane(slot).expire();
         }
@@ -177,14 +179,14 @@ void WorldStep::forAwake(void (*work)(Bodies&, std::span<const std::uint32_t>)) 
     });
 }
 
-void WorldStep::solve() {
+void WorldStep::solve(const StepInput& input) {
     if (std::holds_alternative<PropagationSettings>(settings_.solver)) {
-        propagation_.solve(bodies_, contacts_, joints_, {settings_, tolerances_, dt_, stepCount_});
+        propagation_.solve(input);
         contactVisits_ = propagation_.visits();
         return;
     }
-    impacts_.solve(bodies_, contacts_, {settings_, tolerances_, dt_, team_});
-    softSolver_.solve(bodies_, contacts_, joints_, {settings_, tolerances_, dt_, team_});
+    impacts_.solve(input);
+    softSolver_.solve(input);
     contactVisits_ = softSolver_.visits();
 }
 

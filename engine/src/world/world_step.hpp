@@ -20,8 +20,8 @@ private:
     void wakeIslands(bool arrivals);
     bool updateAwake();
     void gatherForces();
-    void solve();
-    void runContinuous();
+    void solve(const StepInput& input);
+    void runContinuous(const StepInput& input);
     void finishMoves();
     void recordCollisions();
     void breakJoints();
