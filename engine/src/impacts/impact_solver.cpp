@@ -9,8 +9,6 @@
 #include <cmath>
 #include <utility>
 
-#include "impacts/impact.hpp"
-
 namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
@@ -207,19 +205,17 @@ bool solveImpact(Bodies& bodies, Contact& contact, const ContactLane& lane,
 }
 
 void ImpactSolver::solve(const StepInput& step) {
-    Bodies& bodies = step.bodies;
-    ContactSet& contactSet = step.contactSet;
-    if (!step.settings.has(Feature::Restitution) || !(contactSet.fastestApproach() > 0)) {
+    if (!step.settings.has(Feature::Restitution) || !(step.contactSet.fastestApproach() > 0)) {
         return;
     }
     // Forces alone cause this speed on every body within the step, so slower contacts have no
     // impact. Within rounding, solveImpact() decides.
-    const Real restSpeed = kNearly * step.dt * std::sqrt(bodies.loads.minAccelerationSquared);
-    if (!(contactSet.fastestApproach() > restSpeed)) {
+    const Real restSpeed = kNearly * step.dt * std::sqrt(step.bodies.loads.minAccelerationSquared);
+    if (!(step.contactSet.fastestApproach() > restSpeed)) {
         return;
     }
-    const Inputs inputs{bodies, contactSet, step, restSpeed};
-    if (!anyFast(contactSet.live(), step.team,
+    const Inputs inputs{step, restSpeed};
+    if (!anyFast(step.contactSet.live(), step.team,
                  [&](std::uint32_t slot) { return wasFast(inputs, slot); })) {
         return;
     }
@@ -241,7 +237,7 @@ void ImpactSolver::solve(const StepInput& step) {
 bool ImpactSolver::wasFast(const Inputs& inputs, std::uint32_t slot) {
     const ContactSummary& summary = inputs.contactSet.summaries()[slot];
     const Real speed = inputs.contactSet.store().approachSpeed(slot);
-    const Real dt = inputs.step.dt;
+    const Real dt = inputs.dt;
     return speed > inputs.restSpeed &&
            speed * speed > kNearly * (dt * dt) *
                                accelerationSquared(inputs.bodies, summary.bodyA, summary.bodyB);
@@ -273,12 +269,11 @@ bool ImpactSolver::approachesNow(const Inputs& inputs, Candidate& candidate) con
         return false; // neither body was hit in this step: it approaches as measured
     }
     if (candidate.round == 0 || lastHit >= candidate.round) {
-        const StepInput& step = inputs.step;
         const Impact hit = impactOf(inputs, candidate.slot);
         candidate.round = round_;
         candidate.approaches = hit.contact->responds() &&
-                               approaches(hit, step.tolerances.slop,
-                                          restSpeedOf(inputs.bodies, *hit.contact, step.dt));
+                               approaches(hit, inputs.tolerances.slop,
+                                          restSpeedOf(inputs.bodies, *hit.contact, inputs.dt));
     }
     return candidate.approaches;
 }
@@ -352,7 +347,8 @@ void ImpactSolver::solveRound(const Inputs& inputs, std::uint32_t pass) {
 
 /// Solves the contacts in group_ together.
 void ImpactSolver::solveGroup(const Inputs& inputs) {
-    const auto& [bodies, contactSet, step, restSpeed] = inputs;
+    Bodies& bodies = inputs.bodies;
+    ContactSet& contactSet = inputs.contactSet;
     ContactStore& store = contactSet.store();
     hits_.clear();
     for (const std::uint32_t slot : group_) {
@@ -360,7 +356,7 @@ void ImpactSolver::solveGroup(const Inputs& inputs) {
         const ContactLane lane = store.lane(slot);
         if (contact.bounces && lane.relativeDisplacement() > 0) {
             // Arms that are off by this would change the angular momentum.
-            findContact(contact, lane, bodies, step.tolerances, step.dt);
+            findContact(contact, lane, bodies, inputs.tolerances, inputs.dt);
             contact.filled = false;
             contactSet.manifoldChanged(slot);
         }
@@ -369,11 +365,12 @@ void ImpactSolver::solveGroup(const Inputs& inputs) {
             if (hit.contact->responds() && !isPinched(hit)) {
                 hits_.push_back(hit);
             }
-        } else if (!solveImpact(bodies, contact, lane, step.settings, step.tolerances, step.dt)) {
+        } else if (!solveImpact(bodies, contact, lane, inputs.settings, inputs.tolerances,
+                                inputs.dt)) {
             return;
         }
     }
-    together_.solve(hits_, step.tolerances);
+    together_.solve(hits_, inputs.tolerances);
     for (const std::uint32_t slot : group_) {
         const ContactSummary& summary = contactSet.summaries()[slot];
         for (const std::uint32_t body : {summary.bodyA, summary.bodyB}) {
@@ -395,7 +392,7 @@ Impact ImpactSolver::impactOf(const Inputs& inputs, std::uint32_t slot) {
             inputs.contactSet.store().lane(slot),
             &inputs.bodies.motion[summary.bodyA],
             &inputs.bodies.motion[summary.bodyB],
-            !inputs.step.settings.has(Feature::Friction)};
+            !inputs.settings.has(Feature::Friction)};
 }
 
 } // namespace KODO_PRECISION

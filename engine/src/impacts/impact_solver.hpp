@@ -42,10 +42,7 @@ public:
     void solve(const StepInput& step);
 
 private:
-    struct Inputs {
-        Bodies& bodies;
-        ContactSet& contactSet;
-        const StepInput& step;
+    struct Inputs : StepInput {
         Real restSpeed; // m/s; no slower contact has an impact
     };
     /// A contact that may have an impact in this step, and the results of its rounds.

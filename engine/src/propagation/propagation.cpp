@@ -256,9 +256,9 @@ void Propagation::propagateShock(Bodies& bodies, const PropagationSettings& sett
 }
 
 void Propagation::separate(Bodies& bodies, const StepInput& step, Real h) {
+    const PropagationSettings& settings = step.solver<PropagationSettings>();
     const Real unit = step.tolerances.slop * Tolerances::kSlopsPerUnit;
-    const SeparationLimits limits{step.tolerances.slop / 4,
-                                  step.solver<PropagationSettings>().pushSpeed * unit * h};
+    const SeparationLimits limits{step.tolerances.slop / 4, settings.pushSpeed * unit * h};
     const bool any = std::any_of(rows_.begin(), rows_.end(), [&](const PropagationRow& row) {
         return std::min(row.points[0].gap, row.points[row.count - 1].gap) < -limits.allowed;
     });
@@ -268,16 +268,15 @@ void Propagation::separate(Bodies& bodies, const StepInput& step, Real h) {
     for (const PropagationRow& row : rows_) {
         parting_[row.a] = parting_[row.b] = {};
     }
-    for (int pass = 0; pass < step.solver<PropagationSettings>().contactPasses; ++pass) {
+    for (int pass = 0; pass < settings.contactPasses; ++pass) {
         forEachRow(Stage::Separation, pass, [&](PropagationRow& row) {
             separateRow(row, parting_, massesOf(bodies, row), limits);
         });
     }
-    if (step.solver<PropagationSettings>().shockPasses > 0) {
-        forEachLevel(Stage::SeparationShock, step.solver<PropagationSettings>().shockPasses,
-                     [&](PropagationRow& row) {
-                         separateRow(row, parting_, frozenMasses(bodies, row), limits);
-                     });
+    if (settings.shockPasses > 0) {
+        forEachLevel(Stage::SeparationShock, settings.shockPasses, [&](PropagationRow& row) {
+            separateRow(row, parting_, frozenMasses(bodies, row), limits);
+        });
     }
     for (const PropagationRow& row : rows_) {
         for (const std::uint32_t body : {row.a, row.b}) { // applied once, then cleared
