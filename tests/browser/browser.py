@@ -66,8 +66,15 @@ class Browser:
                      {"permissions": ["clipboardReadWrite", "clipboardSanitizedWrite"]})
 
     def command(self, name, parameters):
-        """A command of Chromium's own protocol."""
-        self.call("POST", "/goog/cdp/execute", {"cmd": name, "params": parameters})
+        """A command of Chromium's own protocol, and its answer."""
+        return self.call("POST", "/goog/cdp/execute", {"cmd": name, "params": parameters})
+
+    @contextlib.contextmanager
+    def before_pages(self, script):
+        """Meanwhile each page runs a script before its own."""
+        added = self.command("Page.addScriptToEvaluateOnNewDocument", {"source": script})
+        yield
+        self.command("Page.removeScriptToEvaluateOnNewDocument", added)
 
     def act(self, kind, actions, **more):
         self.call("POST", "/actions", {"actions": [
@@ -78,6 +85,12 @@ class Browser:
         self.act("key", [{"type": "keyDown", "value": code},
                          {"type": "pause", "duration": int(1000 * seconds)},
                          {"type": "keyUp", "value": code}])
+
+    def hold_on(self, key, before):
+        """Lets go of a key that is held and holds another one, from now on; None: no key."""
+        actions = [{"type": "keyUp", "value": KEYS.get(before, before)}] if before else []
+        actions += [{"type": "keyDown", "value": KEYS.get(key, key)}] if key else []
+        self.act("key", actions)
 
     def press(self, key):
         self.hold(key, 0.05)
@@ -159,11 +172,19 @@ class Trial:
         self.address = address
         self.pictures = pictures
         self.failed = []
+        self.faults = []  # that the pages have reported
 
     def expect(self, holds, sentence):
         print(("holds: " if holds else "FAILS: ") + sentence, flush=True)
         if not holds:
             self.failed.append(sentence)
+            self.complain()
+
+    def complain(self):
+        """Tells what the pages have reported since the last call: often the cause."""
+        for fault in self.browser.faults():
+            print(f"       {fault}", flush=True)
+            self.faults.append(fault)
 
     def shot(self, name):
         (self.pictures / f"browser-{name}.png").write_bytes(self.browser.shot())
@@ -223,5 +244,5 @@ def trial_of(kind, page, pictures, *more, preferences=None):
     with local as address, chromium(preferences) as browser:
         trial = kind(browser, address, pictures, *more)
         yield trial
-        faults = browser.faults()
-        trial.expect(not faults, f"the browser reports no error {faults[:3]}")
+        trial.complain()
+        trial.expect(not trial.faults, f"the browser reports no error ({len(trial.faults)})")

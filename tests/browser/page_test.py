@@ -10,14 +10,27 @@ import json
 import pathlib
 import subprocess
 import sys
+import time
 
 from browser import Trial, judged, trial_of
 
+REPLAYS = pathlib.Path(__file__).parents[1] / "replays"
 SIZES = ((360, 640), (1280, 720), (1920, 1080))
 TITLE, LEVELS, PLAYING, PAUSED, OVER, DUEL = 0, 1, 7, 8, 9, 13  # of Screen in stage.hpp
-MODE, PADDLE, SERVING = 4, 5, 6  # of gameState() in main.cpp
+MODE, PADDLE, SERVING, CHOSEN, BALL, RESULT = 4, 5, 6, 7, 8, 9  # of gameState() in main.cpp
 ASSISTED = 2  # of Mode in things.hpp
+WON = 1  # of Result in game_state.hpp
 A, START, DOWN, RIGHT = 0, 9, 13, 15  # buttons of the standard gamepad
+
+
+# What a browser without sound has for it, before the page loads: nothing, a constructor that throws,
+# a context that never starts.
+SILENT = {
+    "no Web Audio": "delete window.AudioContext; delete window.webkitAudioContext;",
+    "a Web Audio that throws": "window.AudioContext = class { constructor() { throw new Error('no'); } };",
+    "sound that is refused": """AudioContext.prototype.resume = () => Promise.reject(new Error("refused"));
+        Object.defineProperty(AudioContext.prototype, "state", { get: () => "suspended" });""",
+}
 
 
 class Game(Trial):
@@ -101,6 +114,50 @@ class Game(Trial):
         self.browser.press(" ")
         self.browser.hold("left", 0.5)
 
+    def silent(self):
+        """Without sound the game starts and plays."""
+        for lack, script in SILENT.items():
+            with self.browser.before_pages(script):
+                self.browser.open(self.address + "#level=quarry")
+                self.expect(self.arrives(PLAYING) and self.serves(lambda: self.browser.press(" ")) and
+                            self.passes(self.state(1) + 60), f"with {lack} a level is played")
+
+    def win(self):
+        """A level is won by keys: the paddle follows the ball, a little beside it."""
+        self.drop_file((REPLAYS / "levels/single.toml").read_text(encoding="utf-8"))
+        self.expect(self.arrives(PLAYING), "a level of one block is played")
+        held, end = None, time.monotonic() + 120
+        while self.state(RESULT) == 0 and time.monotonic() < end:
+            place, ball, tick, serving = (self.state(what) for what in (PADDLE, BALL, 1, SERVING))
+            way = ball + 500 * (tick // 240 % 3 - 1) - place
+            key = None if abs(way) < 300 else "left" if way < 0 else "right"
+            if key != held:
+                self.browser.hold_on(key, held)
+                held = key
+            if serving:
+                self.browser.press(" ")
+        self.browser.hold_on(None, held)
+        self.expect(self.arrives(OVER) and self.state(RESULT) == WON, "a level is won by keys")
+        self.draws(30)
+        self.shot("won")
+
+    def replays(self):
+        """All scripted replays, with the hashes that the native program wrote into them."""
+        files = {path.relative_to(REPLAYS): path.read_text(encoding="utf-8")
+                 for path in [*REPLAYS.glob("*.replay"), *REPLAYS.glob("levels/*.toml")]}
+        self.browser.open(self.address)
+        self.arrives(TITLE)
+        self.browser.run("FS.mkdirTree('/replays/levels');")
+        differ = {}
+        for name, text in sorted(files.items(), key=lambda file: file[0].suffix != ".toml"):
+            self.browser.run(f"FS.writeFile('/replays/{name}', {json.dumps(text)});")
+            if name.suffix == ".replay":
+                differ[str(name)] = self.browser.run(
+                    f"return Module.ccall('verifyReplay', 'string', ['string'], ['/replays/{name}']);")
+        wrong = {name: verdict for name, verdict in differ.items() if verdict != ""}
+        self.expect(differ and not wrong, f"{len(differ) - len(wrong)} of {len(differ)} scripted replays have the "
+                                          f"same states in the browser {wrong or ''}")
+
     def lose(self):
         self.aside("#level=first_light")
         self.expect(self.state(0) == OVER, "a game of a player who stays aside ends")
@@ -171,6 +228,7 @@ class Game(Trial):
             self.browser.press("enter")
             self.expect(self.arrives(LEVELS), f"keys open the map at {width} x {height}")
             self.browser.press("right")
+            self.expect(self.wait(f"Module._gameState({CHOSEN}) === 1"), "the right key goes to level 2")
             self.draws(30)
             self.shot(f"map-{width}")
             self.browser.press("enter")
@@ -323,11 +381,11 @@ class Game(Trial):
 def main(page, pictures, program):
     with trial_of(Game, page, pictures) as game:
         game.address += "index.html"
-        for part in (game.title, game.level, game.lost, game.lose, game.link):
+        for part in (game.title, game.level, game.silent, game.lost, game.win, game.lose, game.link):
             part()
         game.daily(program)
         game.drop()
-        for part in (game.map, game.phone, game.touch, game.duel, game.gamepad, game.assisted):
+        for part in (game.replays, game.map, game.phone, game.touch, game.duel, game.gamepad, game.assisted):
             part()
     return judged([game])
 

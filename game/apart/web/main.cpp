@@ -227,8 +227,9 @@ extern "C" EMSCRIPTEN_KEEPALIVE void pressButton(int button) {
 }
 
 /// State of the game, for tests: 0 the screen, 1 the tick, 2 the score, 3 the seed of the serves,
-/// 4 the mode, 5 the place of the paddle (mm), 6 whether a ball waits for its serve. In a duel,
-/// that of a player, 0 or 1.
+/// 4 the mode, 5 the place of the paddle (mm), 6 whether a ball waits for its serve, 7 the level
+/// chosen on the map, from 0, 8 the place of a ball (mm), 9 the result. In a duel, that of a
+/// player, 0 or 1.
 extern "C" EMSCRIPTEN_KEEPALIVE int gameState(int what, int player) {
     if (!apart::thePage) {
         return -1;
@@ -250,8 +251,16 @@ extern "C" EMSCRIPTEN_KEEPALIVE int gameState(int what, int player) {
         return static_cast<int>(game.mode());
     case 5:
         return static_cast<int>(1000 * game.world()[game.paddle()].position().x);
-    default:
+    case 6:
         return game.serving() ? 1 : 0;
+    case 7:
+        return static_cast<int>(stage.levelMap().chosen());
+    case 8:
+        return game.balls().empty()
+                   ? 0
+                   : static_cast<int>(1000 * game.world()[game.balls()[0].body].position().x);
+    default:
+        return static_cast<int>(game.result());
     }
 }
 

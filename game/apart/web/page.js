@@ -153,7 +153,7 @@ function openSound(rate, frames, mixer) {
 
 function setSound(on) {
     if (sound) {
-        on ? sound.resume() : sound.suspend();
+        (on ? sound.resume() : sound.suspend()).catch((error) => console.warn("aPart is silent: " + error));
     }
 }
 
