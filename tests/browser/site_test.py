@@ -21,6 +21,9 @@ NAMELESS = """return [...document.querySelectorAll("button, input, select, canva
 SMALL = """return [...document.querySelectorAll("button, select, .choice")].filter((one) => {
     const { width, height } = one.getBoundingClientRect();
     return width > 0 && (height < 36 || width < 36); }).map((one) => one.textContent);"""
+# Graphs without a line.
+EMPTY = """[...document.querySelectorAll("dl canvas")].filter((one) => !one.getContext("2d").getImageData(
+    0, 0, one.width, one.height).data.some(Boolean)).length"""
 BROKEN = """Promise.all([...document.querySelectorAll("a[href]")].map(async ({ href }) =>
     [href, (await fetch(href)).status])).then((all) => all.filter(([, code]) => code !== 200))"""
 # Least time (ms) of a step and of a picture, in tens: other programs only add to it, and the clock is coarse.
@@ -91,6 +94,18 @@ class Site(Trial):
         self.wait("document.getElementById('verdict').textContent !== ''")
         self.expect(self.number("document.getElementById('verdict').textContent") == "As expected.",
                     "a scene without a touch is judged as expected")
+
+    def graphs(self):
+        """Each measure of the registry has its value as text, and a graph of the last steps."""
+        self.scene("Pyramid")
+        measures = self.number("sandbox.registry.measures.length + sandbox.registry.stages.length")
+        drawn = self.wait(f"document.querySelectorAll('dl canvas').length === {measures} && {EMPTY} === 0")
+        self.expect(drawn is not None, f"{measures} measures have graphs")
+        texts = self.number("[...document.querySelectorAll('dd:has(+ canvas)')].map((one) => one.textContent)")
+        self.expect(len(texts) == measures and all(float(text.split()[0]) >= 0 for text in texts),
+                    f"and their values beside them: {', '.join(texts)}")
+        self.browser.run("document.getElementById('stages').scrollIntoView({ block: 'end' });")
+        self.shot("graphs")
 
     def keyboard(self):
         self.browser.resize(1280, 720)
@@ -283,8 +298,8 @@ def refused(site):
 
 def main(page, pictures):
     with trial_of(Site, page, pictures) as site:
-        for part in (site.start_page, site.examples, site.sandbox, site.verdict, site.keyboard, site.tours, site.share,
-                     site.touch, site.frames):
+        for part in (site.start_page, site.examples, site.sandbox, site.verdict, site.graphs, site.keyboard,
+                     site.tours, site.share, site.touch, site.frames):
             part()
     preferences = {"profile.default_content_setting_values.cookies": 2}
     with trial_of(Site, page, pictures, preferences=preferences) as without_storage:

@@ -182,7 +182,18 @@ TEST(Sandbox, MoreIterationsReduceOverlap) {
     EXPECT_LT(many, some / 2);
 }
 
-// The first thing that is seen: it makes one stay.
+TEST(Measures, TheRegistryHasTheTimesOfAllStagesAndTheirSum) {
+    Sandbox sandbox;
+    run(sandbox, 10);
+    const Sample last = sandbox.measures().last();
+    float sum = 0;
+    for (std::size_t i = 0; i < kodo::kStepStageNames.size(); ++i) {
+        sum += valueOf(last, kMeasures.size() + i);
+    }
+    EXPECT_GT(sum, 0);
+    EXPECT_FLOAT_EQ(valueOf(last, 0), sum);
+}
+
 TEST(Measures, TheGapOfAJointIsThatBetweenItsAnchors) {
     kodo::World world;
     const BodyId wall = world.add({.shape = kodo::Box{1, 1}, .type = kodo::BodyType::Static});
@@ -197,6 +208,7 @@ TEST(Measures, TheGapOfAJointIsThatBetweenItsAnchors) {
     EXPECT_FLOAT_EQ(measures.last().gap, 250); // mm
 }
 
+// The first thing that is seen: it makes one stay.
 TEST(Sandbox, StartsWithTheDefaultSolver) {
     EXPECT_EQ(Sandbox().settings(), kodo::balanced());
 }

@@ -6,6 +6,7 @@
 #include <array>
 #include <chrono>
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
 namespace destructoooor {
@@ -22,6 +23,27 @@ struct Sample {
     std::array<float, kodo::kStepStageNames.size()> stages{}; // us
     float step = 0;                                           // us, their sum
 };
+
+/// A number of each step, of which panel and page draw a graph.
+struct Measure {
+    std::string_view name;
+    std::string_view unit;
+    float Sample::*value;
+};
+inline constexpr std::array<Measure, 7> kMeasures = {{
+    {"Time", "us", &Sample::step},
+    {"Deepest overlap", "mm", &Sample::overlap},
+    {"Widest gap of a joint", "mm", &Sample::gap},
+    {"Energy", "J", &Sample::energy},
+    {"Momentum", "kg m/s", &Sample::momentum},
+    {"Awake", "bodies", &Sample::awake},
+    {"Visits of contacts", "", &Sample::visits},
+}};
+/// Value of a sample: one of kMeasures, then time (us) of one of kStepStageNames.
+constexpr float valueOf(const Sample& sample, std::size_t which) {
+    return which < kMeasures.size() ? sample.*kMeasures[which].value
+                                    : sample.stages[which - kMeasures.size()];
+}
 
 /// Samples of the last steps.
 class Measures final : public kodo::StageListener {

@@ -43,13 +43,13 @@ void hint(std::string_view text) {
     }
 }
 
-/// A graph of one member of the samples, with its last value.
-template <typename Get>
-void plot(const char* name, const char* unit, const std::vector<Sample>& samples, Get get) {
+/// A graph of one value of the samples, see valueOf(), with the last one.
+void plot(const char* name, const char* unit, const std::vector<Sample>& samples,
+          std::size_t which) {
     static std::vector<float> values;
     values.clear();
     for (const Sample& sample : samples) {
-        values.push_back(get(sample));
+        values.push_back(valueOf(sample, which));
     }
     const float last = values.empty() ? 0 : values.back();
     ImGui::Text("%s  %.4g %s", name, static_cast<double>(last), unit);
@@ -290,18 +290,13 @@ void Panel::dialTab(Workbench& bench) {
 
 void Panel::measureTab(const Workbench& bench) {
     const std::vector<Sample>& samples = bench.sandbox.measures().samples();
-    plot("Step", "us", samples, [](const Sample& s) { return s.step; });
-    const Sample last = bench.sandbox.measures().last();
-    for (std::size_t i = 0; i < last.stages.size(); ++i) {
-        ImGui::Text("  %-11s %6.0f us", kodo::kStepStageNames[i].data(),
-                    static_cast<double>(last.stages[i]));
+    for (std::size_t i = 0; i < kMeasures.size(); ++i) {
+        plot(kMeasures[i].name.data(), kMeasures[i].unit.data(), samples, i);
     }
-    plot("Visits of contacts", "", samples, [](const Sample& s) { return s.visits; });
-    plot("Deepest overlap", "mm", samples, [](const Sample& s) { return s.overlap; });
-    plot("Widest gap of a joint", "mm", samples, [](const Sample& s) { return s.gap; });
-    plot("Energy", "J", samples, [](const Sample& s) { return s.energy; });
-    plot("Momentum", "kg m/s", samples, [](const Sample& s) { return s.momentum; });
-    plot("Awake", "bodies", samples, [](const Sample& s) { return s.awake; });
+    ImGui::Separator();
+    for (std::size_t i = 0; i < kodo::kStepStageNames.size(); ++i) {
+        plot(kodo::kStepStageNames[i].data(), "us", samples, kMeasures.size() + i);
+    }
 }
 
 void Panel::viewTab(Workbench& bench) {

@@ -123,7 +123,12 @@ std::string registryText() {
     const auto hand = [](const HandWords& one) {
         return "{\"name\":" + quoted(one.name) + ",\"what\":" + quoted(one.what) + "}";
     };
+    const auto measure = [](const Measure& one) {
+        return "{\"name\":" + quoted(one.name) + ",\"unit\":" + quoted(one.unit) + "}";
+    };
     return "{\"scenes\":" + listed(catalogue(), sceneText) +
+           ",\"measures\":" + listed(kMeasures, measure) +
+           ",\"stages\":" + listed(kodo::kStepStageNames, quoted) +
            ",\"tours\":" + listed(tours(), tourText) + ",\"dials\":" + listed(dials(), dialText) +
            ",\"profiles\":" + listed(profiles(), named) + ",\"hands\":" + listed(kHands, hand) +
            ",\"things\":" + listed(kThingNames, quoted) + "}";
@@ -324,13 +329,18 @@ SANDBOX_EXPORT const char* sandbox_take() {
     return told([] { sandbox().take(bytes); });
 }
 
-/// Cost and quality of the last step: 0 time (us), 1 deepest overlap (mm), 2 energy (J), 3 momentum
-/// (kg m/s), 4 awake bodies, 5 visits of contacts, 6 widest gap of a joint (mm).
-SANDBOX_EXPORT float sandbox_measure(int which) {
-    const Sample last = sandbox().measures().last();
-    const float all[] = {last.step,  last.overlap, last.energy, last.momentum,
-                         last.awake, last.visits,  last.gap};
-    return all[which];
+/// A value of the last step, see valueOf().
+SANDBOX_EXPORT float sandbox_measure(std::size_t which) {
+    return valueOf(sandbox().measures().last(), which);
+}
+/// The values of the steps before as well, the oldest one first: their number, and
+/// sandbox_figures() has them.
+SANDBOX_EXPORT std::size_t sandbox_history(std::size_t which) {
+    figures.clear();
+    for (const Sample& sample : sandbox().measures().samples()) {
+        figures.push_back(valueOf(sample, which));
+    }
+    return figures.size();
 }
 
 } // extern "C"

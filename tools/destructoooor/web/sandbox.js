@@ -8,9 +8,7 @@ const kDrag = 0;
 const kDrop = 1;
 const kLooks = ["Joints", "Contacts", "Impulses", "Bounds", "Velocities", "Centres of mass", "Ids",
                 "Colours of islands"];
-const kMeasures = [["Time", "ms", (us) => (us / 1000).toFixed(2)], ["Deepest overlap", "mm"],
-                   ["Energy", "J"], ["Momentum", "kg m/s"], ["Awake", "bodies", Math.round],
-                   ["Visits of contacts", "", Math.round], ["Widest gap of a joint", "mm"]];
+const kGraphPause = 200; // ms
 
 const kodo = await loadWasm(new URL("./sandbox.wasm", import.meta.url), {});
 const textAt = (at) => {
@@ -179,6 +177,23 @@ function fillDials() {
   });
 }
 
+const measures = []; // { unit, value, graph } of each, then of the stages
+
+/** Draws a graph from 0, or from the least value, to the greatest one. */
+function drawGraph({ graph }, which) {
+  const count = kodo.sandbox_history(which);
+  const values = new Float32Array(kodo.memory.buffer, kodo.sandbox_figures(), count);
+  const [low, high] = [Math.min(0, ...values), Math.max(0, ...values)];
+  const { width, height } = graph.canvas;
+  graph.clearRect(0, 0, width, height);
+  graph.strokeStyle = "#8fb4ff";
+  graph.lineWidth = 1.5;
+  graph.beginPath();
+  values.forEach((value, i) => graph.lineTo(
+    width * i / Math.max(1, count - 1), height - 1 - (height - 2) * (value - low) / (high - low || 1)));
+  graph.stroke();
+}
+
 function fillPanel() {
   choices(element("hands"), "hand", registry.hands, kDrag, setHand);
   choices(element("things"), "thing", registry.things, 0, (thing) => {
@@ -200,10 +215,15 @@ function fillPanel() {
     input.onchange = () => kodo.sandbox_look([...element("look").querySelectorAll("input")].reduce(
       (bits, each, bit) => bits | (each.checked ? 1 << bit : 0), 0));
   });
-  for (const [name] of kMeasures) {
-    add(element("measures"), "dt", {}, name);
-    add(element("measures"), "dd");
-  }
+  const stages = registry.stages.map((name) => ({ name, unit: "us" }));
+  [...registry.measures, ...stages].forEach(({ name, unit }, i) => {
+    const list = element(i < registry.measures.length ? "measures" : "stages");
+    add(list, "dt", {}, name);
+    const value = add(list, "dd");
+    const graph = add(list, "canvas", { width: 300, height: 28, role: "img",
+                                        ariaLabel: `${name} over the last ten seconds` });
+    measures.push({ unit, value, graph: graph.getContext("2d") });
+  });
 }
 
 function setHand(hand) {
@@ -226,6 +246,7 @@ function refresh() {
 }
 
 let shownVerdict = -1;
+let graphsAt = 0; // ms, when they were drawn
 function showTime() {
   const [tick, first, last] = [kodo.sandbox_tick(), kodo.sandbox_firstTick(), kodo.sandbox_lastTick()];
   const time = element("time");
@@ -241,10 +262,14 @@ function showTime() {
     element("verdict").textContent =
       verdict < 0 ? "" : verdict === 1 ? "As expected." : "Not as expected.";
   }
-  const values = element("measures").querySelectorAll("dd");
-  kMeasures.forEach(([, unit, format = (value) => value.toPrecision(3)], i) => {
-    values[i].textContent = `${format(kodo.sandbox_measure(i))} ${unit}`;
+  measures.forEach(({ unit, value }, i) => {
+    const now = kodo.sandbox_measure(i);
+    value.textContent = `${Number.isInteger(now) ? now : now.toPrecision(3)} ${unit}`;
   });
+  if (performance.now() - graphsAt > kGraphPause) {
+    graphsAt = performance.now();
+    measures.forEach(drawGraph);
+  }
   const apart = kodo.sandbox_difference();
   element("difference").textContent = apart > 0 ? `apart by ${apart.toPrecision(3)} m` : "";
 }
