@@ -263,8 +263,7 @@ function showTime() {
       verdict < 0 ? "" : verdict === 1 ? "As expected." : "Not as expected.";
   }
   measures.forEach(({ unit, value }, i) => {
-    const now = kodo.sandbox_measure(i);
-    value.textContent = `${Number.isInteger(now) ? now : now.toPrecision(3)} ${unit}`;
+    value.textContent = `${Number(kodo.sandbox_measure(i).toPrecision(4))} ${unit}`;
   });
   if (performance.now() - graphsAt > kGraphPause) {
     graphsAt = performance.now();
