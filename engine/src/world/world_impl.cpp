@@ -30,6 +30,8 @@ bool sameParts(const PartList& a, const PartList& b) {
                       b.setMasses.end(), sameMass);
 }
 
+// With fewer awake bodies, a step ends before a helper could start.
+constexpr std::size_t kMinBodiesForHelp = 256;
 // Features that may keep bodies at rest: a change wakes all islands.
 constexpr Features kSleepFeatures =
     Feature::Friction | Feature::RollingResistance | Feature::Sleep | Feature::Rotation;
@@ -112,7 +114,9 @@ void WorldImpl::step(Real dt, const StepOptions& options) {
         options.listener->enter(StepStage::Broad);
     }
     updateAwake();
-    WorldStep(*this, dt, options.executor).run(options.listener);
+    WorkerTeam team(bodies_.awake.size() >= kMinBodiesForHelp ? options.executor : nullptr);
+    WorldStep(*this, {bodies_, contacts_, joints_, settings_, tolerances_, dt, team, stepCount_})
+        .run(options.listener);
     ++stepCount_;
 }
 

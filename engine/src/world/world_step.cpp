@@ -12,32 +12,9 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
 
-/// With fewer awake bodies, a step ends before a helper could start.
-constexpr std::size_t kMinBodiesForHelp = 256;
 constexpr std::size_t kBodiesPerPiece = 256;
 
 } // namespace
-
-WorldStep::WorldStep(WorldImpl& world, Real dt, Executor* executor)
-    : settings_(world.settings_),
-      tolerances_(world.tolerances_),
-      fields_(world.fields_),
-      bodies_(world.bodies_),
-      contacts_(world.contacts_),
-      joints_(world.joints_),
-      sleep_(world.sleep_),
-      region_(world.region_),
-      impacts_(world.impacts_),
-      softSolver_(world.softSolver_),
-      propagation_(world.propagation_),
-      continuous_(world.continuous_),
-      broken_(world.broken_),
-      frozen_(world.frozen_),
-      roomFor_(world.roomFor_),
-      contactVisits_(world.contactVisits_),
-      stepCount_(world.stepCount_),
-      dt_(dt),
-      team_(bodies_.awake.size() >= kMinBodiesForHelp ? executor : nullptr) {}
 
 void WorldStep::run(StageListener* listener) {
     const auto enter = [&](StepStage stage) {
@@ -46,40 +23,38 @@ void WorldStep::run(StageListener* listener) {
         }
     };
     makeRoom();
-    const bool arrivals = !bodies_.changes.arrived.empty();
-    contacts_.updatePairs(bodies_, joints_.lists(), tolerances_, dt_, team_);
-    clearArrivals(bodies_);
+    const bool arrivals = !bodies.changes.arrived.empty();
+    contactSet.updatePairs(bodies, joints.lists(), tolerances, dt, team);
+    clearArrivals(bodies);
     enter(StepStage::Narrow);
-    contacts_.updateManifolds(bodies_, tolerances_, dt_, team_);
+    contactSet.updateManifolds(bodies, tolerances, dt, team);
     enter(StepStage::Forces);
     forAwake(beginMotion);
     wakeIslands(arrivals);
     gatherForces();
     enter(StepStage::Solve);
-    const StepInput input{bodies_,     contacts_, joints_, settings_,
-                          tolerances_, dt_,       team_,   stepCount_};
-    solve(input);
-    countLostLoads(bodies_);
+    solve();
+    countLostLoads(bodies);
     enter(StepStage::Continuous);
-    if (settings_.has(Feature::ContinuousCollision)) {
-        runContinuous(input);
+    if (settings.has(Feature::ContinuousCollision)) {
+        runContinuous();
     }
     enter(StepStage::Record);
-    joints_.count(bodies_);
+    joints.count(bodies);
     finishMoves();
-    if (!contacts_.contacts().empty() || !contacts_.touchCounts().changes().empty()) {
+    if (!contactSet.contacts().empty() || !contactSet.touchCounts().changes().empty()) {
         recordCollisions();
     }
-    contacts_.records().finish(settings_.has(Feature::Records));
-    broken_.clear();
-    if (joints_.size() > 0) {
+    contactSet.records().finish(settings.has(Feature::Records));
+    world_.broken_.clear();
+    if (joints.size() > 0) {
         breakJoints();
     }
     enter(StepStage::Sleep);
-    sleep_.keepArrivals(bodies_, contacts_);
-    if (settings_.has(Feature::Sleep) && !bodies_.awake.empty() &&
-        sleep_.updateSleep(bodies_, contacts_, joints_, settings_, tolerances_, dt_)) {
-        sleep_.sleepIslands(bodies_, contacts_);
+    world_.sleep_.keepArrivals(bodies, contactSet);
+    if (settings.has(Feature::Sleep) && !bodies.awake.empty() &&
+        world_.sleep_.updateSleep(bodies, contactSet, joints, settings, tolerances, dt)) {
+        world_.sleep_.sleepIslands(bodies, contactSet);
     }
     if (listener != nullptr) {
         listener->leave();
@@ -88,39 +63,39 @@ void WorldStep::run(StageListener* listener) {
 
 /// Sizes what is stored by body in the step after bodies were added: no later one has to.
 void WorldStep::makeRoom() {
-    if (roomFor_ == bodies_.size()) {
+    if (world_.roomFor_ == bodies.size()) {
         return;
     }
-    roomFor_ = bodies_.size();
-    contacts_.makeRoom(bodies_);
-    if (std::holds_alternative<PropagationSettings>(settings_.solver)) {
-        propagation_.makeRoom(bodies_);
+    world_.roomFor_ = bodies.size();
+    contactSet.makeRoom(bodies);
+    if (std::holds_alternative<PropagationSettings>(settings.solver)) {
+        world_.propagation_.makeRoom(bodies);
     } else {
-        impacts_.makeRoom(bodies_);
-        softSolver_.makeRoom(bodies_);
+        world_.impacts_.makeRoom(bodies);
+        world_.softSolver_.makeRoom(bodies);
     }
-    if (settings_.has(Feature::ContinuousCollision)) {
-        continuous_.makeRoom(bodies_);
+    if (settings.has(Feature::ContinuousCollision)) {
+        world_.continuous_.makeRoom(bodies);
     }
-    if (settings_.has(Feature::Sleep)) {
-        sleep_.makeRoom(bodies_);
+    if (settings.has(Feature::Sleep)) {
+        world_.sleep_.makeRoom(bodies);
     }
 }
 
 /// Wakes islands that awake bodies touch, or bodies that were added or changed.
 void WorldStep::wakeIslands(bool arrivals) {
-    if (canWake() || (arrivals && sleep_.anyAsleep())) {
-        sleep_.wakeTouched(bodies_, contacts_, tolerances_);
-        sleep_.wakeJointed(bodies_, contacts_, joints_);
+    if (canWake() || (arrivals && world_.sleep_.anyAsleep())) {
+        world_.sleep_.wakeTouched(bodies, contactSet, tolerances);
+        world_.sleep_.wakeJointed(bodies, contactSet, joints);
     }
 }
 
 /// Brings the list of awake bodies up to date. True if any may have toggled.
 bool WorldStep::updateAwake() {
-    const bool toggled = refreshAwake(bodies_);
-    joints_.findBusy(bodies_, toggled);
+    const bool toggled = refreshAwake(bodies);
+    joints.findBusy(bodies, toggled);
     if (toggled) {
-        contacts_.candidates().moveToTrees(bodies_, bodies_.changes.toggled);
+        contactSet.candidates().moveToTrees(bodies, bodies.changes.toggled);
     }
     return toggled;
 }
@@ -128,75 +103,75 @@ bool WorldStep::updateAwake() {
 /// Computes the accelerations.
 void WorldStep::gatherForces() {
     if (updateAwake()) {
-        contacts_.addArrivals(bodies_.changes.toggled); // kinematic bodies that stopped
+        contactSet.addArrivals(bodies.changes.toggled); // kinematic bodies that stopped
     }
-    if (bodies_.changes.anyDamped) {
-        dampVelocities(bodies_, dt_, team_);
+    if (bodies.changes.anyDamped) {
+        dampVelocities(bodies, dt, team);
     }
-    frozen_.clear();
-    if (!gatherAccelerations(bodies_, fields_, dt_, team_)) {
+    world_.frozen_.clear();
+    if (!gatherAccelerations(bodies, world_.fields_, dt, team)) {
         freezeUnsoundForces();
     }
-    if (bodies_.changes.loadsStale) {
-        noteLoads(bodies_);
+    if (bodies.changes.loadsStale) {
+        noteLoads(bodies);
     }
-    if (region_.isActive()) {
-        region_.makeOutsideStatic(bodies_, contacts_, joints_);
-        region_.forEachHeld([&](std::uint32_t body) {
-            contacts_.measureApproach(bodies_, body); // its velocity is zero now
+    if (world_.region_.isActive()) {
+        world_.region_.makeOutsideStatic(bodies, contactSet, joints);
+        world_.region_.forEachHeld([&](std::uint32_t body) {
+            contactSet.measureApproach(bodies, body); // its velocity is zero now
         });
     }
-    bodies_.anySleeping = sleep_.anyAsleep();
+    bodies.anySleeping = world_.sleep_.anyAsleep();
 }
 
 /// Continuous collision: shortens displacements at the first impact.
-void WorldStep::runContinuous(const StepInput& input) {
-    contacts_.coverDisplacements(bodies_, joints_.lists(), tolerances_, team_);
-    if (canWake() && sleep_.wakeRunOver(bodies_, contacts_, tolerances_)) {
+void WorldStep::runContinuous() {
+    contactSet.coverDisplacements(bodies, joints.lists(), tolerances, team);
+    if (canWake() && world_.sleep_.wakeRunOver(bodies, contactSet, tolerances)) {
         updateAwake();
     }
-    if (!contacts_.contacts().empty()) {
-        continuous_.run(input);
-        for (const std::uint32_t slot : continuous_.stoppedAtLines()) {
-            contacts_.store().lane(slot).expire();
+    if (!contactSet.contacts().empty()) {
+        world_.continuous_.run(*this);
+        for (const std::uint32_t slot : world_.continuous_.stoppedAtLines()) {
+            contactSet.store().lane(slot).expire();
         }
     }
 }
 
 /// Applies the displacements. Bodies with unsound motion freeze at their present poses.
 void WorldStep::finishMoves() {
-    region_.restoreOutside(bodies_);
+    world_.region_.restoreOutside(bodies);
     if (!allSound()) {
         freezeUnsoundMotion();
     }
     forAwake(movePoses);
-    contacts_.candidates().coverPoses(bodies_, tolerances_);
+    contactSet.candidates().coverPoses(bodies, tolerances);
 }
 
 void WorldStep::forAwake(void (*work)(Bodies&, std::span<const std::uint32_t>)) {
-    team_.forEach(bodies_.awake.size(), kBodiesPerPiece, [&](std::size_t first, std::size_t last) {
-        work(bodies_, std::span<const std::uint32_t>(bodies_.awake).subspan(first, last - first));
+    team.forEach(bodies.awake.size(), kBodiesPerPiece, [&](std::size_t first, std::size_t last) {
+        work(bodies, std::span<const std::uint32_t>(bodies.awake).subspan(first, last - first));
     });
 }
 
-void WorldStep::solve(const StepInput& input) {
-    if (std::holds_alternative<PropagationSettings>(settings_.solver)) {
-        propagation_.solve(input);
-        contactVisits_ = propagation_.visits();
+void WorldStep::solve() {
+    if (std::holds_alternative<PropagationSettings>(settings.solver)) {
+        world_.propagation_.solve(*this);
+        world_.contactVisits_ = world_.propagation_.visits();
         return;
     }
-    impacts_.solve(input);
-    softSolver_.solve(input);
-    contactVisits_ = softSolver_.visits();
+    world_.impacts_.solve(*this);
+    world_.softSolver_.solve(*this);
+    world_.contactVisits_ = world_.softSolver_.visits();
 }
 
 void WorldStep::freezeUnsoundForces() {
-    for (const std::uint32_t body : bodies_.awake) {
-        if (!isSound(bodies_.acceleration[body])) {
-            freeze(bodies_, body);
-            frozen_.push_back(bodies_.idAt(body));
-            contacts_.bodyChanged(body); // a frozen body is immovable
-            contacts_.lanes().discardLanes();
+    for (const std::uint32_t body : bodies.awake) {
+        if (!isSound(bodies.acceleration[body])) {
+            freeze(bodies, body);
+            world_.frozen_.push_back(bodies.idAt(body));
+            contactSet.bodyChanged(body); // a frozen body is immovable
+            contactSet.lanes().discardLanes();
         }
     }
 }
@@ -204,13 +179,13 @@ void WorldStep::freezeUnsoundForces() {
 bool WorldStep::allSound() {
     // Fast test, four numbers at a time; isSound() has the same limit for velocities and
     // displacements. A vector is shorter than the limit if both components are below half of it.
-    const Real slow = kMaxSpeed * std::min(tolerances_.unit(), Real(1)) / 2;
+    const Real slow = kMaxSpeed * std::min(tolerances.unit(), Real(1)) / 2;
     const Four bound{slow, slow, slow, 0}; // the fourth number is an inverse mass or inertia
     std::uint8_t fast = 0;
-    team_.forEach(bodies_.awake.size(), kBodiesPerPiece, [&](std::size_t first, std::size_t last) {
+    team.forEach(bodies.awake.size(), kBodiesPerPiece, [&](std::size_t first, std::size_t last) {
         auto within = bound == bound;
         for (std::size_t k = first; k < last; ++k) {
-            const BodyVelocity& motion = bodies_.motion[bodies_.awake[k]];
+            const BodyVelocity& motion = bodies.motion[bodies.awake[k]];
             within &= (speeds(motion) <= bound) & (speeds(motion) >= -bound) &
                       (moves(motion) <= bound) & (moves(motion) >= -bound);
         }
@@ -218,60 +193,60 @@ bool WorldStep::allSound() {
             WorkerTeam::mark(fast);
         }
     });
-    return fast == 0 || std::all_of(bodies_.awake.begin(), bodies_.awake.end(), [&](auto body) {
-               return isSound(bodies_.motion[body], tolerances_.unit());
+    return fast == 0 || std::all_of(bodies.awake.begin(), bodies.awake.end(), [&](auto body) {
+               return isSound(bodies.motion[body], tolerances.unit());
            });
 }
 
 /// A body that became unsound may have affected its neighbours within the step. All affected bodies
 /// stop; only those with finite velocities are frozen.
 void WorldStep::freezeUnsoundMotion() {
-    const std::size_t before = frozen_.size();
-    for (const std::uint32_t body : bodies_.awake) {
-        BodyVelocity& motion = bodies_.motion[body];
-        if (isSound(motion, tolerances_.unit())) {
+    const std::size_t before = world_.frozen_.size();
+    for (const std::uint32_t body : bodies.awake) {
+        BodyVelocity& motion = bodies.motion[body];
+        if (isSound(motion, tolerances.unit())) {
             continue;
         }
         if (isFinite(motion.velocity) && std::isfinite(motion.angularVelocity)) {
-            freeze(bodies_, body); // too fast by itself
+            freeze(bodies, body); // too fast by itself
         }
         motion.stop();
-        contacts_.bodyChanged(body);
-        const BodyId id = bodies_.idAt(body);
-        if (!std::binary_search(frozen_.data(), frozen_.data() + before, id)) {
-            frozen_.push_back(id);
+        contactSet.bodyChanged(body);
+        const BodyId id = bodies.idAt(body);
+        if (!std::binary_search(world_.frozen_.data(), world_.frozen_.data() + before, id)) {
+            world_.frozen_.push_back(id);
         }
     }
-    if (frozen_.size() > before) {
-        for (BodyVelocity& motion : bodies_.motion) { // also locked bodies: 0 times infinity is NaN
-            if (!isSound(motion, tolerances_.unit())) {
+    if (world_.frozen_.size() > before) {
+        for (BodyVelocity& motion : bodies.motion) { // also locked bodies: 0 times infinity is NaN
+            if (!isSound(motion, tolerances.unit())) {
                 motion.stop();
             }
         }
-        contacts_.forgetUnsound(bodies_, tolerances_, dt_);
-        joints_.forgetUnsound();
-        bodies_.changes.allActivity = true;
+        contactSet.forgetUnsound(bodies, tolerances, dt);
+        joints.forgetUnsound();
+        bodies.changes.allActivity = true;
     }
 }
 
 void WorldStep::breakJoints() {
-    const std::span<const BrokenJoint> broken = joints_.endStep(dt_);
-    broken_.assign(broken.begin(), broken.end());
-    for (const BrokenJoint& joint : broken_) {
-        bodies_.noteLostLoad(joint.a.index);
-        bodies_.noteLostLoad(joint.b.index);
+    const std::span<const BrokenJoint> broken = joints.endStep(dt);
+    world_.broken_.assign(broken.begin(), broken.end());
+    for (const BrokenJoint& joint : world_.broken_) {
+        bodies.noteLostLoad(joint.a.index);
+        bodies.noteLostLoad(joint.b.index);
     }
-    joints_.takePairChanges([&](std::uint32_t body) { contacts_.activityChanged(body); });
+    joints.takePairChanges([&](std::uint32_t body) { contactSet.activityChanged(body); });
 }
 
 /// Updates the contact phases and kColliding. Only bodies whose flag changes are visited.
 void WorldStep::recordCollisions() {
-    contacts_.finishStepOfContacts(bodies_, tolerances_, team_);
-    for (const std::uint32_t body : contacts_.touchCounts().changes()) {
-        Flags& flags = bodies_.filter[body].flags;
-        flags = contacts_.touchCounts().isTouched(body) ? flags | kColliding : flags & ~kColliding;
+    contactSet.finishStepOfContacts(bodies, tolerances, team);
+    for (const std::uint32_t body : contactSet.touchCounts().changes()) {
+        Flags& flags = bodies.filter[body].flags;
+        flags = contactSet.touchCounts().isTouched(body) ? flags | kColliding : flags & ~kColliding;
     }
-    contacts_.touchCounts().clearChanges();
+    contactSet.touchCounts().clearChanges();
 }
 
 } // namespace KODO_PRECISION
