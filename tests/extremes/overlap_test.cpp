@@ -298,5 +298,43 @@ TEST(Overlap, ImpulsesOnAWedgedBodyStayBounded) {
     }
 }
 
+// F7: a crate deep in another one, both on the ground and without friction. What pushes them apart
+// turns none of them, so no speed is left: at most 0.1 m/s, where it was up to 0.9.
+TEST(Overlap, ACrateThatStartsInAnotherOneOnTheGroundLeavesItAndRests) {
+    const Vec2 sizes[] = {{1, 1}, {1, 3}, {3, 1}, {Real(0.3), Real(0.3)}};
+    for (const StepSettings& settings : {StepSettings{}, thesis2006()}) {
+        for (const BodyType type : {BodyType::Static, BodyType::Dynamic}) {
+            for (const Vec2 size : sizes) {
+                for (const Real depth : {Real(0.1), Real(0.3), Real(0.5)}) {
+                    for (const Real rate : {Real(30), Real(60), Real(240)}) {
+                        for (const Real place : {Real(0), Real(256)}) {
+                            World world({.gravity = {0, -10}, .settings = settings});
+                            const Material smooth = support::slippery();
+                            world.add({.shape = Box{40, 1},
+                                       .position = {place, Real(-0.5)},
+                                       .material = smooth,
+                                       .type = BodyType::Static});
+                            const Box crate{size.x, size.y};
+                            const BodyId first = world.add({.shape = crate,
+                                                            .position = {place, size.y / 2},
+                                                            .material = smooth,
+                                                            .type = type});
+                            const Real x = place + size.x - depth * std::min(size.x, size.y);
+                            const BodyId other = world.add(
+                                {.shape = crate, .position = {x, size.y / 2}, .material = smooth});
+                            support::run(world, static_cast<int>(3 * rate), 1 / rate);
+                            EXPECT_LT(length(world[other].velocity()), Real(0.1))
+                                << size.x << " x " << size.y << " m, depth " << depth << ", "
+                                << rate << " Hz, x " << place;
+                            EXPECT_GT(world[other].position().x - world[first].position().x,
+                                      Real(0.98) * size.x);
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
 } // namespace
 } // namespace kodo

@@ -105,14 +105,14 @@ TEST(Building, NothingScoresBeforeTheFirstServe) {
 const char* const kSled = R"([[block]]
 kind = "x"
 x = 0
-y = 8200
+y = 8400
 width = 2000
 height = 800
 [[block]]
 kind = "b"
 shape = "square"
 x = 0
-y = 9000
+y = 9200
 )";
 
 /// Moves a block by so much (m).

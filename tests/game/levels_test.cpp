@@ -88,11 +88,12 @@ TEST_P(EveryLevel, PassesItsCheck) {
     EXPECT_GT(report.blocks, 0);
 }
 
+// The median of 11 seeds strays from that of 61 by up to 45 ticks, that of 31 by 15.
 TEST_P(EveryLevel, IsHitWithin12TenthsOfASecondOfAServe) {
     constexpr std::uint32_t kMost = 6 * kTicksPerSecond / 5;
     const Level level = std::get<Level>(loadLevel(GetParam()));
     std::vector<std::uint32_t> ticks;
-    for (std::uint32_t seed = 1; seed <= 11; ++seed) {
+    for (std::uint32_t seed = 1; seed <= 31; ++seed) {
         ticks.push_back(runBot(level, seed, 2 * kMost).firstHit);
     }
     std::sort(ticks.begin(), ticks.end());

@@ -214,7 +214,7 @@ TEST(Touching, IsWhatBeganAndHasNotEndedAlsoAsleep) {
     support::addFloor(world);
     const BodyId sensor = world.add(
         {.shape = Box{4, 3}, .position = {0, 1}, .type = BodyType::Static, .flags = kSensor});
-    support::addHeap(world, 5, 30);
+    support::addHeap(world, 6, 30);
     std::vector<std::pair<BodyId, BodyId>> book; // one entry for each pair of parts
     std::size_t most = 0;
     for (int step = 0; step < 1200; ++step) {

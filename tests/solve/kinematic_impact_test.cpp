@@ -87,8 +87,8 @@ Real reboundFrom(const StepSettings& settings, const Shape& floor, Real restitut
     return world[ball].velocity().y > Real(-4.99) ? world[ball].velocity().y : 0;
 }
 
-// B8: a floor that recedes within the rest of the step in which a ball meets it. The impact comes
-// in the next step, at v' = -u + e (5 - u).
+// B8: a floor that recedes within the rest of the step in which a ball meets it. The impact gives
+// v' = -u + e (5 - u).
 TEST(KinematicImpact, ABallReboundsFromAFloorThatRecedes) {
     const Shape floors[] = {Box{10, 1, {0, Real(-0.5)}}, Plane{}};
     for (const StepSettings& settings : kImpactSolvers) {
@@ -178,6 +178,53 @@ TEST(KinematicImpact, ABallOffTheLineOfADiscLeavesAlongTheNormal) {
         const Real speed = 30 * normal.x; // of the disc along the normal
         EXPECT_NEAR(dot(velocity, normal), speed, Real(0.01) * speed);
         EXPECT_NEAR(cross(velocity, normal), 0, Real(0.02) * speed);
+    }
+}
+
+// F6: a bar that turns by up to 2 rad in a step. A ball that it meets within the step leaves along
+// the normal of the touch, at (1 + e) times the speed of the bar there, and with one record of its
+// whole impulse. Tolerance: a ball within the slop of the bar at the start of a step is hit then.
+TEST(KinematicImpact, ABallLeavesATurningBarAlongTheNormalOfTheTouch) {
+    const Real radius = Real(0.15);
+    const Real half = Real(0.05); // m, of the bar's thickness
+    for (const Real rate : {Real(30), Real(60), Real(240)}) {
+        for (const Real restitution : {Real(0.5), Real(1)}) {
+            for (const Real turn : {Real(0.1), Real(0.3), Real(0.6), Real(1), Real(-2)}) {
+                int late = 0;
+                for (int i = 0; i < 40; ++i) {
+                    World world;
+                    const Material smooth = support::slippery(restitution);
+                    world.add({.shape = Box{2, 2 * half},
+                               .angularVelocity = turn * rate,
+                               .material = smooth,
+                               .type = BodyType::Kinematic});
+                    const Real reach = Real(0.45) + Real(0.009) * static_cast<Real>(i);
+                    const Real lead = Real(0.75) + Real(0.037) * static_cast<Real>(i);
+                    const Real before = std::asin((radius + half) / reach);
+                    const Real sign = turn > 0 ? Real(1) : Real(-1);
+                    const BodyId ball = world.add(
+                        {.shape = Circle{radius},
+                         .position = {reach * std::cos(lead), sign * reach * std::sin(lead)},
+                         .material = smooth});
+                    Real impulse = 0;
+                    for (Real way = 0; way < Real(2.4) && impulse == 0; way += std::abs(turn)) {
+                        world.step(1 / rate);
+                        for (const CollisionRecord& hit : world.hits(0)) {
+                            impulse += hit.totalImpulse;
+                        }
+                    }
+                    const Vec2 normal{-std::sin(lead - before), sign * std::cos(lead - before)};
+                    const Real arm = reach * std::cos(before);
+                    const Real speed = (1 + restitution) * std::abs(turn) * rate * arm;
+                    const Vec2 velocity = world[ball].velocity();
+                    ASSERT_NEAR(impulse, world[ball].mass() * length(velocity),
+                                Real(1e-3) * impulse);
+                    ASSERT_GT(impulse, 0) << turn << " rad, place " << i;
+                    late += length(velocity - speed * normal) > Real(1e-3) * speed ? 1 : 0;
+                }
+                EXPECT_LE(late, 2) << rate << " Hz, " << turn << " rad, e " << restitution;
+            }
+        }
     }
 }
 

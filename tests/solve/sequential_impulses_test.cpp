@@ -64,6 +64,7 @@ public:
                        : &before.surfaces[static_cast<std::size_t>(before.use[i].surface)]),
           soft_(before.use[i].onLocked ? settings.onLocked : settings.soft),
           invH_(double(settings.invH)),
+          pushSpeed_(double(settings.pushSpeed)),
           normal_{double(before_.normalX[lane]), double(before_.normalY[lane])},
           a_(before.motion[bodyOfPlace(before_.a[lane])]),
           b_(before.motion[bodyOfPlace(before_.b[lane])]) {}
@@ -78,11 +79,15 @@ public:
         }
     }
     void solve() {
-        pushPoints(true);
+        if (points_ == 2 && (pushes(0) || pushes(1))) {
+            pushTogether(true);
+        } else {
+            pushPoints(true);
+        }
         roll();
     }
     void relax(bool friction) {
-        pushTogether();
+        pushTogether(false);
         if (friction) {
             applyFriction();
         }
@@ -137,10 +142,17 @@ private:
         if (gap > 0 || !apart) {
             return sum - mass * (speed + invH_ * std::max(gap, 0.0));
         }
-        const double bias =
-            std::max(double(soft_.biasRate) * gap, -double(before_.pushSpeed[lane_]));
-        return sum - double(soft_.massScale) * mass * (speed + bias) -
+        return sum - double(soft_.massScale) * mass * (speed + biasOf(gap)) -
                double(soft_.impulseScale) * sum;
+    }
+    double biasOf(double gap) const {
+        return std::max(double(soft_.biasRate) * gap, -double(before_.pushSpeed[lane_]));
+    }
+    /// True for a point that pushes its bodies apart: at more than 1/32 of the push speed.
+    bool pushes(std::size_t k) const { return biasOf(gapAt(k)) < -pushSpeed_ / 32; }
+    double massOf(std::size_t k, bool apart) const {
+        const double scale = apart && gapAt(k) <= 0 ? double(soft_.massScale) : 1.0;
+        return scale * double(before_.points[k].mass[lane_]);
     }
     double sumOf(std::size_t k) const { return double(before_.points[k].impulse[lane_]); }
     /// Change of the speed at one point per impulse at the other.
@@ -150,22 +162,22 @@ private:
         return a_.invMass + b_.invMass + a_.invInertia * first.leverA * second.leverA +
                b_.invInertia * first.leverB * second.leverB;
     }
-    /// Impulses of both points without bias, so that both stop; one that would pull lets go.
-    std::array<double, 2> together() const {
-        const double mass1 = double(before_.points[0].mass[lane_]);
-        const double mass2 = double(before_.points[1].mass[lane_]);
-        const double e1 = wanted(0, false) - sumOf(0);
-        const double e2 = wanted(1, false) - sumOf(1);
+    /// Impulses of both points, so that both get the speed they want; one that would pull lets go.
+    std::array<double, 2> together(bool apart) const {
+        const double mass1 = massOf(0, apart);
+        const double mass2 = massOf(1, apart);
+        const double e1 = wanted(0, apart) - sumOf(0);
+        const double e2 = wanted(1, apart) - sumOf(1);
         const double c12 = mass2 * coupling();
         const double c21 = mass1 * coupling();
         const double determinant = 1 - c12 * c21;
-        double first = wanted(0, false); // of bodies that hardly rotate: one after the other
+        double first = wanted(0, apart); // of bodies that hardly rotate: one after the other
         if (determinant >= 1e-3) {
             const double second = sumOf(1) + (e2 - c12 * e1) / determinant;
-            first = wanted(0, false) + c21 * (sumOf(1) - std::max(second, 0.0));
+            first = wanted(0, apart) + c21 * (sumOf(1) - std::max(second, 0.0));
         }
         first = std::max(first, 0.0);
-        return {first, std::max(wanted(1, false) - c12 * (first - sumOf(0)), 0.0)};
+        return {first, std::max(wanted(1, apart) - c12 * (first - sumOf(0)), 0.0)};
     }
     void pushPoint(std::size_t k, double next) {
         EXPECT_NEAR(double(after_.points[k].impulse[lane_]), next, kRounding) << "point " << k;
@@ -177,11 +189,11 @@ private:
             pushPoint(k, std::max(wanted(k, apart), 0.0));
         }
     }
-    void pushTogether() {
+    void pushTogether(bool apart) {
         if (points_ == 1) {
-            return pushPoints(false);
+            return pushPoints(apart);
         }
-        const std::array<double, 2> both = together();
+        const std::array<double, 2> both = together(apart);
         pushPoint(0, both[0]);
         pushPoint(1, both[1]);
     }
@@ -212,6 +224,7 @@ private:
     const SurfaceBlock* surface_;
     Softness soft_;
     double invH_;
+    double pushSpeed_;
     DoubleVec normal_;
     Side a_;
     Side b_;

@@ -182,6 +182,7 @@ void ContactSet::leavePasses(const Bodies& bodies) {
 void ContactSet::manifoldChanged(std::uint32_t slot) {
     ContactSummary& summary = store_.summaries()[slot];
     summary.mayTouch = contacts()[slot].manifold.count > 0 || summary.sensor;
+    liveStale_ = std::exchange(summary.idle, false) || liveStale_;
     fastestApproach_ = std::max(fastestApproach_, store_.approachSpeed(slot));
 }
 

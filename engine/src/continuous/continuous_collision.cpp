@@ -329,6 +329,7 @@ void ContinuousCollision::stopInOrder(const Step& step) {
         const ContactSummary& summary = step.summaries[event.contact];
         noteLine(step, event.contact);
         if (step.driven) {
+            bounceOff(step, event.contact, event.time);
             takePushedDisplacement(step, step.contacts[event.contact], event.time);
         }
         cutShort(step, summary.bodyA, event.time);
@@ -354,24 +355,23 @@ void ContinuousCollision::noticeSensors(const Bodies& bodies, ContactStore& stor
         const auto gap = stoppingGap(bodies, contact, apart, motion, settings, tolerances);
         const Real fraction = gap ? impactTime(bodies, contact, *gap, 0) : 1;
         if (fraction < 1) {
-            recordSensorImpact(bodies, contact, lane, fraction, tolerances);
+            meet(bodies, contact, lane, fraction, tolerances);
         }
     }
 }
 
-/// Stores the point and the speed of the impact with a sensor in its contact, for the record.
-void ContinuousCollision::recordSensorImpact(const Bodies& bodies, Contact& contact,
-                                             const ContactLane& lane, Real fraction,
-                                             const Tolerances& tolerances) const {
+/// Stores manifold and speed of an impact in its contact. False if the shapes do not touch then.
+bool ContinuousCollision::meet(const Bodies& bodies, Contact& contact, const ContactLane& lane,
+                               Real fraction, const Tolerances& tolerances) const {
     const ContactKey& key = contact.key;
     const Transform a = pathOf(bodies, key.bodyA).at(fraction);
     const Transform b = pathOf(bodies, key.bodyB).at(fraction);
     const Manifold met = collide(bodies.convex(key.bodyA, key.partA), a,
                                  bodies.convex(key.bodyB, key.partB), b, tolerances.margin, 0);
     if (met.count == 0) {
-        return;
+        return false;
     }
-    contact.touching = true;
+    contact.touching = contact.near = true;
     contact.manifold = met;
     lane.setSeparations(met);
     contact.filled = false;
@@ -380,6 +380,7 @@ void ContinuousCollision::recordSensorImpact(const Bodies& bodies, Contact& cont
     const Vec2 relative = velocityAt(bodies.motion[key.bodyB], point.armB) -
                           velocityAt(bodies.motion[key.bodyA], point.armA);
     lane.approachSpeed() = std::max(-dot(met.normal, relative), Real(0));
+    return true;
 }
 
 } // namespace KODO_PRECISION

@@ -23,7 +23,8 @@ inline namespace KODO_PRECISION {
 /// step applies the impact impulse. Impacts are processed in the order of time.
 ///
 /// A kinematic body cannot be stopped and would pass through bodies stopped in front of it. So it
-/// pushes these along, and also the bodies that they touch.
+/// carries these along, and pushes the bodies that they touch. What meets it with restitution gets
+/// its impact within the step.
 ///
 /// A body that a joint connects to a stopped one is stopped where the joint would open.
 class ContinuousCollision {
@@ -71,6 +72,7 @@ private:
     Real timeThroughLine(const Step& step, const Contact& contact, Real motion) const;
     Real timeToJointedLine(const Step& step, const Contact& contact, Real gap, Real from) const;
     void findPushes(const Step& step);
+    void bounceOff(const Step& step, std::uint32_t slot, Real time);
     void takePushedDisplacement(const Step& step, const Contact& contact, Real time);
     void cutShort(const Step& step, std::uint32_t body, Real time);
     bool mayMeetStopped(const Step& step, std::uint32_t body, std::uint32_t other) const;
@@ -80,8 +82,8 @@ private:
     void finish(Bodies& bodies, Real dt);
     void noticeSensors(const Bodies& bodies, ContactStore& store, const StepSettings& settings,
                        const Tolerances& tolerances);
-    void recordSensorImpact(const Bodies& bodies, Contact& contact, const ContactLane& lane,
-                            Real fraction, const Tolerances& tolerances) const;
+    bool meet(const Bodies& bodies, Contact& contact, const ContactLane& lane, Real fraction,
+              const Tolerances& tolerances) const;
 
     std::vector<std::uint8_t> swift_;       // by body: moves so far that its pairs are tested
     std::vector<Real> stopAt_;              // by body: fraction of the step

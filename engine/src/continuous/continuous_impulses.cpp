@@ -5,6 +5,9 @@
 #include <algorithm>
 
 #include "continuous/continuous_collision.hpp"
+#include "continuous/stop_motion.hpp"
+#include "impacts/departure.hpp"
+#include "impacts/impact_solver.hpp"
 
 namespace kodo {
 inline namespace KODO_PRECISION {
@@ -27,6 +30,13 @@ Real harmlessOverlap(const Bodies& bodies, const ContactKey& key) {
     return std::min(bodies.convex(key.bodyA, key.partA).coreRadius,
                     bodies.convex(key.bodyB, key.partB).coreRadius) /
            2;
+}
+
+/// Way (m, per whole step) of a point at `arm` (m) that goes along with a kinematic body for the
+/// rest of the step, straight to its place at the end.
+Vec2 carriedBy(const BodyVelocity& motion, Vec2 arm, Real time) {
+    const Rot turn = turned(Rot{}, (1 - time) * motion.deltaAngle);
+    return motion.deltaPosition + (turn * arm - arm) / (1 - time);
 }
 
 /// Removes the component of `push` into a static surface.
@@ -66,8 +76,7 @@ void ContinuousCollision::findPushes(const Step& step) {
             }
             const BodyVelocity& floor = step.bodies.motion[isA ? bodyA : bodyB];
             const ManifoldPoint& point = contact.manifold.points[0];
-            const Vec2 way =
-                floor.deltaPosition + cross(floor.deltaAngle, isA ? point.armA : point.armB);
+            const Vec2 way = carriedBy(floor, isA ? point.armA : point.armB, 0);
             const Vec2 normal = isA ? contact.manifold.normal : -contact.manifold.normal;
             Vec2& push = pushOf(isA ? bodyB : bodyA);
             if (stop) {
@@ -79,11 +88,43 @@ void ContinuousCollision::findPushes(const Step& step) {
     }
 }
 
+/// Applies the impact of a body with restitution that meets a kinematic one at `time`, along the
+/// normal there: by the next step a body that turns has another one. Where a joint or a third body
+/// holds the body, the next step has the impact.
+void ContinuousCollision::bounceOff(const Step& step, std::uint32_t slot, Real time) {
+    Bodies& bodies = step.bodies;
+    ContactSet& contactSet = step.contactSet;
+    Contact& contact = step.contacts[slot];
+    const auto [bodyA, partA, bodyB, partB] = contact.key;
+    const bool drivenA = bodies.isMovingKinematic(bodyA);
+    if (!contact.bounces || !step.settings.has(Feature::Restitution) ||
+        drivenA == bodies.isMovingKinematic(bodyB) ||
+        isJointed(bodies, step.joints.lists(), contact.key) ||
+        !isAlone(bodies, contactSet.store(), slot, step.tolerances.slop)) {
+        return;
+    }
+    const std::uint32_t body = drivenA ? bodyB : bodyA;
+    BodyVelocity& motion = bodies.motion[body];
+    const Acceleration& forces = bodies.acceleration[body];
+    const Real left = timeFrom(motion, forces.linear, time, step.dt);
+    contactSet.store().leavePasses(slot, bodies);
+    const ContactLane lane = contactSet.store().lane(slot);
+    motion.velocity -= left * forces.linear; // at the time of impact
+    motion.angularVelocity -= left * forces.angular;
+    if (meet(bodies, contact, lane, time, step.tolerances)) {
+        solveImpact(bodies, contact, lane, step.settings, step.tolerances, 0);
+        contactSet.manifoldChanged(slot);
+    }
+    motion.velocity += left * forces.linear; // which stop() takes
+    motion.angularVelocity += left * forces.angular;
+    lane.expire();
+}
+
 /// A body that meets a kinematic body within the step is carried along with it for the rest of the
 /// step, as it keeps its place against a static body: the next step then has the same contact in
 /// both cases. A body that meets a pushed one is pushed along, but not into a static body. With
-/// restitution, the impact of the next step makes it faster; it is carried only where the kinematic
-/// body would be past it by then, or recedes.
+/// restitution it is faster by its impact; it is carried only where the kinematic body would be
+/// past it by then, or recedes.
 void ContinuousCollision::takePushedDisplacement(const Step& step, const Contact& contact,
                                                  Real time) {
     const ContactKey& key = contact.key;
@@ -96,16 +137,12 @@ void ContinuousCollision::takePushedDisplacement(const Step& step, const Contact
     const Vec2 normal = separation(step.bodies.convex(key.bodyA, key.partA), a,
                                    step.bodies.convex(key.bodyB, key.partB), b)
                             .axis;
-    const auto wayOf = [&](std::uint32_t body, Vec2 from) {
-        const BodyVelocity& motion = step.bodies.motion[body];
-        const std::uint32_t other = body == key.bodyA ? key.bodyB : key.bodyA;
-        return step.bodies.locked(body)
-                   ? motion.deltaPosition +
-                         cross(motion.deltaAngle, step.bodies.pose[other].position - from)
-                   : push_[body];
+    const auto wayOf = [&](std::uint32_t body, Vec2 arm) {
+        return step.bodies.locked(body) ? carriedBy(step.bodies.motion[body], arm, time)
+                                        : push_[body];
     };
-    const Vec2 wayA = wayOf(key.bodyA, a.position);
-    const Vec2 wayB = wayOf(key.bodyB, b.position);
+    const Vec2 wayA = wayOf(key.bodyA, b.position - a.position);
+    const Vec2 wayB = wayOf(key.bodyB, a.position - b.position);
     const Real overlap = (1 - time) * dot(normal, wayA - wayB);
     if (contact.bounces && overlap >= 0 && overlap <= harmlessOverlap(step.bodies, key)) {
         return;

@@ -15,6 +15,7 @@ namespace {
 struct Unclamped {
     Lanes impulse; // N s
     Lanes mass;    // kg; decrease of the impulse per m/s that other impulses add along the line
+    decltype(Lanes{} > Lanes{}) pushes; // its bodies apart, or in the relax pass any
 };
 
 /// Impulse of the first of two points before clamping, such that sequential clamping of both points
@@ -24,7 +25,7 @@ struct Unclamped {
 ///
 /// e is the change of one point alone; c are the couplings. If the second point would pull, it is
 /// let go, and the first carries all. If the bodies hardly rotate, both points act as one. Without
-/// this the relax pass leaves a rotation, which stays with bodies that were just pushed apart.
+/// this, bodies that are pushed apart get a rotation, which stays with them.
 KODO_LANES_INLINE Lanes firstOfBoth(const ContactBlock& block, int at, const Unclamped& first,
                                     const Unclamped& second, Lanes response12) {
     const Lanes before2 = load(block.points[1].impulse + at);
@@ -37,7 +38,7 @@ KODO_LANES_INLINE Lanes firstOfBoth(const ContactBlock& block, int at, const Unc
     const Lanes d2 = (e2 - c12 * e1) / (coupled ? all(1) : determinant);
     const Lanes both =
         before2 + d2 > Lanes{} ? first.impulse - c21 * d2 : first.impulse + c21 * before2;
-    return coupled ? first.impulse : both;
+    return coupled | ~(first.pushes | second.pushes) ? first.impulse : both;
 }
 
 constexpr Real kLeastMass = std::numeric_limits<Real>::min(); // kg

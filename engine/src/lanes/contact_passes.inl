@@ -88,6 +88,9 @@ KODO_LANES_INLINE Lanes staleImpulse(const Turned& turned, const Approach& appro
     return approach.pushSpeed < all(settings.pushSpeed) ? Lanes{} : heavier * excess;
 }
 
+// Share of the push speed from which a biased point pushes its bodies apart.
+constexpr Real kPushes = Real(1) / 32;
+
 /// Unclamped impulse of one point of each contact:
 ///
 ///   lambda = mass_scale (lambda_sum - m (v_n + bias))
@@ -115,9 +118,10 @@ KODO_LANES_INLINE Unclamped unclampedAt(const ContactBlock::Point& point, int at
         const bool stale = anyAbove(approach.speed, rules.settings.thrown);
         const Lanes wanted = (scale * impulse - scaled * bias) - scaled * approach.speed;
         return {stale ? wanted - staleImpulse(turned, approach, mass, rules.settings) : wanted,
-                scaled};
+                scaled, bias < all(-kPushes * rules.settings.pushSpeed)};
     } else {
-        return {(impulse - mass * larger(close, Lanes{})) - mass * approach.speed, mass};
+        return {(impulse - mass * larger(close, Lanes{})) - mass * approach.speed, mass,
+                mass == mass};
     }
 }
 
@@ -211,9 +215,8 @@ KODO_LANES_INLINE void solveLanes(ContactBlock& block, const SurfaceBlock* surfa
     Lanes stopping = load(block.friction + at) - tangentMass * sliding;
     const Lanes coupling1t = tangentMass * turnCoupling(line1, tangent);
     const Lanes coupling2t = tangentMass * turnCoupling(line2, tangent);
-    const Together wanted = together < points == 2 && task == Task::Relax,
-                   rare > (block, at, first, second,
-                           {response12, coupling1t, coupling2t, tangentMass, stopping});
+    const Together wanted = together<points == 2, rare>(
+        block, at, first, second, {response12, coupling1t, coupling2t, tangentMass, stopping});
     Lanes change = pushPoint<task>(point1, at, wanted.first, rules.settings.kept);
     Lanes sum = load(point1.impulse + at);
     spin(pair, line1, change);
