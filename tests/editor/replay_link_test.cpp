@@ -114,7 +114,8 @@ TEST(ReplayLink, ARunOfSeveralLevelsIsOneLink) {
     EXPECT_EQ(std::get<ReplayRun>(read)[1].inputs, run[1].inputs);
 }
 
-TEST(ReplayLink, ADamagedLinkIsRefused) {
+// The last letters hold bits that belong to nothing: with others the game is the same.
+TEST(ReplayLink, ADamagedLinkIsRefusedOrPlaysTheSameGame) {
     const std::string link = linkOf({played("arch", 600, BotKind::Clumsy)});
     const auto refused = [](const std::string& text) {
         return std::holds_alternative<FileProblem>(runOfLink(text));
@@ -123,10 +124,15 @@ TEST(ReplayLink, ADamagedLinkIsRefused) {
     EXPECT_TRUE(refused("#replay="));
     EXPECT_TRUE(refused("#replay=*"));
     EXPECT_TRUE(refused(link.substr(0, link.size() / 2)));
-    for (std::size_t i = 9; i < link.size(); i += 5) {
+    for (std::size_t i = 9; i < link.size(); ++i) {
         std::string changed = link;
         changed[i] = changed[i] == 'A' ? 'B' : 'A';
-        EXPECT_TRUE(refused(changed)) << i;
+        const Read<ReplayRun> read = runOfLink(changed);
+        if (i + 4 < link.size()) {
+            EXPECT_TRUE(std::holds_alternative<FileProblem>(read)) << i;
+        } else if (const ReplayRun* run = std::get_if<ReplayRun>(&read)) {
+            EXPECT_EQ(linkOf(*run), link) << i;
+        }
     }
 }
 
