@@ -399,9 +399,29 @@ TEST(Hands, AnOutlineBecomesABodyOrAReason) {
     EXPECT_NEAR(world[std::get<BodyId>(drawn)].mass(), 5, 1e-3);
     const std::vector<Vec2> crossing{{0, 0}, {2, 2}, {2, 0}, {0, 2}};
     const auto refused = destructoooor::draw(world, crossing);
-    ASSERT_TRUE(std::holds_alternative<kodo::Problem>(refused));
-    EXPECT_FALSE(std::get<kodo::Problem>(refused).reason.empty());
+    ASSERT_TRUE(std::holds_alternative<std::string>(refused));
+    EXPECT_EQ(
+        std::get<std::string>(refused),
+        "Point 3 begins an edge that crosses or touches the one from point 1: an outline must "
+        "not meet itself, and has no holes.");
     EXPECT_EQ(world.bodyCount(), 1u);
+}
+
+TEST(Hands, AnOutlineThatEndsWhereItBeganIsABody) {
+    for (const Vec2 end : {Vec2{0, 0}, Vec2{0.04_r, -0.03_r}}) {
+        kodo::World world;
+        const std::vector<Vec2> path{{0, 0}, {2, 0}, {2, 0}, {2, 1}, {0, 1}, end};
+        const auto drawn = destructoooor::draw(world, path);
+        ASSERT_TRUE(std::holds_alternative<BodyId>(drawn)) << std::get<std::string>(drawn);
+        EXPECT_NEAR(world[std::get<BodyId>(drawn)].mass(), 2, 1e-3);
+    }
+}
+
+TEST(Hands, AnOutlineOfOnePlaceIsRefusedByASentence) {
+    kodo::World world;
+    const std::vector<Vec2> click{{1, 1}, {1, 1}};
+    EXPECT_TRUE(std::get<std::string>(destructoooor::draw(world, click))
+                    .starts_with("The outline must be from 3 to "));
 }
 
 TEST(Hands, TieNeedsABodyAtOneEnd) {

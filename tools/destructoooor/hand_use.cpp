@@ -55,8 +55,8 @@ std::string use(Sandbox& sandbox, Hand hand, std::span<const Vec2> path, const D
     case Hand::Draw:
         sandbox.change([&](kodo::World& world) {
             const auto drawn = destructoooor::draw(world, path.first(path.size() - 1));
-            if (const auto* const problem = std::get_if<kodo::Problem>(&drawn)) {
-                message = problem->reason;
+            if (const auto* const sentence = std::get_if<std::string>(&drawn)) {
+                message = *sentence;
             }
         });
         break;

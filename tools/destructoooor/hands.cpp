@@ -4,16 +4,18 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <vector>
 
 namespace destructoooor {
 
 namespace {
 
-constexpr Real kTouch = Real(0.02);   // m, radius of what a hand touches
-constexpr Real kSliver = Real(0.002); // m^2; smaller pieces vanish
-constexpr Real kMotorTorque = 2000;   // N m
-constexpr int kRimCorners = 16;       // of a circle that is split
+constexpr Real kTouch = Real(0.02);    // m, radius of what a hand touches
+constexpr Real kSamePoint = Real(0.1); // m, corners that a hand cannot tell apart
+constexpr Real kSliver = Real(0.002);  // m^2; smaller pieces vanish
+constexpr Real kMotorTorque = 2000;    // N m
+constexpr int kRimCorners = 16;        // of a circle that is split
 
 kodo::Polygon regularPolygon(std::size_t corners, Real radius) {
     kodo::Polygon polygon;
@@ -105,6 +107,34 @@ kodo::Compound sideOf(const kodo::BodyView& body, Vec2 point, Vec2 normal, Vec2 
     return side;
 }
 
+/// An outline without points that repeat the one before, around its end.
+std::vector<Vec2> distinct(std::span<const Vec2> outline) {
+    std::vector<Vec2> points;
+    for (const Vec2 point : outline) {
+        if (points.empty() || kodo::length(point - points.back()) > kSamePoint) {
+            points.push_back(point);
+        }
+    }
+    while (points.size() > 1 && kodo::length(points.back() - points.front()) <= kSamePoint) {
+        points.pop_back();
+    }
+    return points;
+}
+
+/// What is wrong with an outline, as a sentence that counts its points from 1.
+std::string sentenceOf(const kodo::Problem& problem) {
+    std::string sentence = problem.field + " " + problem.reason + ".";
+    constexpr std::string_view kIndexed = "outline[";
+    for (std::size_t at = 0; (at = sentence.find(kIndexed, at)) != std::string::npos;) {
+        const std::size_t digits = at + kIndexed.size();
+        const std::size_t end = sentence.find(']', digits);
+        const int number = std::stoi(sentence.substr(digits, end - digits)) + 1;
+        sentence.replace(at, end + 1 - at,
+                         (at == 0 ? "Point " : "point ") + std::to_string(number));
+    }
+    return sentence.starts_with("outline") ? "The " + sentence : sentence;
+}
+
 BodyId addSide(kodo::World& world, const kodo::Compound& side, BodyId whole, Vec2 origin) {
     const kodo::BodyView old = std::as_const(world)[whole];
     const kodo::Part& part = old.part(0);
@@ -165,18 +195,18 @@ BodyId drop(kodo::World& world, Thing what, Vec2 place, Real size, const kodo::M
     return world.add({.shape = shapeOf(what, size, seed), .position = place, .material = material});
 }
 
-std::variant<BodyId, kodo::Problem> draw(kodo::World& world, std::span<const Vec2> outline) {
+std::variant<BodyId, std::string> draw(kodo::World& world, std::span<const Vec2> outline) {
+    std::vector<Vec2> local = distinct(outline);
     Vec2 middle{};
-    for (const Vec2 point : outline) {
-        middle += point / Real(outline.size());
+    for (const Vec2 point : local) {
+        middle += point / Real(local.size());
     }
-    std::vector<Vec2> local;
-    for (const Vec2 point : outline) {
-        local.push_back(point - middle);
+    for (Vec2& point : local) {
+        point -= middle;
     }
     const auto shape = kodo::decompose(local);
     if (const auto* const problem = std::get_if<kodo::Problem>(&shape)) {
-        return *problem;
+        return sentenceOf(*problem);
     }
     return world.add({.shape = std::get<kodo::Compound>(shape), .position = middle});
 }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -27,8 +28,9 @@ inline constexpr std::array<std::string_view, 6> kThingNames = {"box",   "ball",
 BodyId drop(kodo::World& world, Thing what, Vec2 place, Real size, const kodo::Material& material,
             std::uint64_t seed);
 
-/// A dynamic body with a closed outline, or the reason why there is none.
-std::variant<BodyId, kodo::Problem> draw(kodo::World& world, std::span<const Vec2> outline);
+/// A dynamic body with a closed outline, which may end where it began; or a sentence why there is
+/// none, which counts points from 1.
+std::variant<BodyId, std::string> draw(kodo::World& world, std::span<const Vec2> outline);
 
 /// The dynamic body at a point, the last one that was added.
 std::optional<BodyId> bodyAt(const kodo::World& world, Vec2 point);
