@@ -21,6 +21,9 @@ PAGES = {
     "worlds": "engine/docs/worlds.md", "engine": "engine/README.md", "game": "game/README.md",
 } | {f"from-{path.stem}": f"engine/docs/migration/{path.name}"
      for path in sorted((ROOT / "engine/docs/migration").glob("*.md"))}
+CHAPTERS = 6  # a page with as many has a table of contents
+RUN = ("<i>Run</i> starts the program in this page, as WebAssembly, and compares its text with the one below, "
+       "which the native program has printed.")
 NOT_HERE = {"draw_world": "a window", "threads": "threads"}
 STYLE = """
 :root { color-scheme: light dark; font: 17px/1.5 system-ui, sans-serif; }
@@ -29,6 +32,7 @@ output { margin-left: .5rem; } button { font: inherit; min-height: 2.4rem; paddi
 table { border-collapse: collapse; display: block; overflow-x: auto; }
 td, th { border: 1px solid #8886; padding: .25rem .5rem; text-align: left; vertical-align: top; }
 pre { overflow-x: auto; padding: .75rem; background: #8882; border-radius: .5rem; }
+.contents { columns: 14rem; padding-left: 1.2rem; }
 code { font-size: .92em; } img { max-width: 100%; height: auto; }
 """
 
@@ -38,6 +42,7 @@ class Page:
         self.source = ROOT / source
         self.folder = folder
         self.ids = set()
+        self.chapters = []  # links
 
     def target(self, link):
         """Where a link of the page leads to in the folder, or None."""
@@ -87,7 +92,10 @@ class Page:
         unique = next(each for each in [name] + [f"{name}-{i}" for i in range(1, 99)]
                       if each not in self.ids)
         self.ids.add(unique)
-        return f'<h{level} id="{unique}">{self.inline(text)}</h{level}>'
+        words = self.inline(text)
+        if level == 2:
+            self.chapters.append(f'<li><a href="#{unique}">{re.sub("</?a[^>]*>", "", words)}</a></li>')
+        return f'<h{level} id="{unique}">{words}</h{level}>'
 
     def table(self, lines):
         rows = [[self.inline(cell.strip().replace("\\|", "|")) for cell in
@@ -118,7 +126,7 @@ class Page:
         """The part of a program: its source, a button that runs it, its picture and its text."""
         source = (ROOT / "engine/examples" / f"{name}.cpp").read_text(encoding="utf-8")
         runs = name not in NOT_HERE
-        button = (f'<p><button data-run="{name}">Run</button><output role="status"></output></p>' if runs
+        button = (f'<p><button data-run="{name}" aria-label="Run {name}">Run</button><output role="status"></output></p>' if runs
                   else f"<p>It needs {NOT_HERE[name]}, and so it does not run in this page.</p>")
         inner = "\n".join(self.blocks("\n".join(lines))).replace("<pre>", '<pre class="printed">', 1)
         return (f'<section id="box-{name}">\n{button}\n{inner}\n<details><summary>{name}.cpp</summary>'
@@ -160,9 +168,12 @@ class Page:
     def written(self):
         text = self.source.read_text(encoding="utf-8")
         title = re.search(r"^# (.+)$", text, re.MULTILINE)[1]
-        body = "\n".join(self.blocks(text))
+        heading, *rest = self.blocks(text)
+        if len(self.chapters) >= CHAPTERS:
+            heading += f'\n<nav aria-label="Contents"><ul class="contents">{"".join(self.chapters)}</ul></nav>'
+        body = "\n".join([heading, *rest])
         if "data-run" in body:
-            body += '\n<script src="run.js"></script>'
+            body = body.replace("</h1>", f"</h1>\n<p>{RUN}</p>", 1) + '\n<script src="run.js"></script>'
         return title, frame(title, f'<nav><a href="../">Kodo</a> · <a href="./">all pages</a></nav>\n{body}')
 
 

@@ -52,8 +52,8 @@ for (const button of document.querySelectorAll("button[data-run]")) {
       if (image !== null && picture !== "") {
         image.src = URL.createObjectURL(new Blob([picture], { type: "image/svg+xml" }));
       }
-      told.textContent = `${time.toFixed(0)} ms. ${same ? "The text of the native program."
-                                                        : "Another text than that of the native program."}`;
+      told.textContent = `${time.toFixed(0)} ms. ${
+        same ? "The same" : "Another"} text ${same ? "as" : "than"} the native program printed.`;
     } catch (error) {
       told.textContent = error.message;
     }
