@@ -95,6 +95,24 @@ class Site(Trial):
         self.expect(self.number("document.getElementById('verdict').textContent") == "As expected.",
                     "a scene without a touch is judged as expected")
 
+    def panel(self):
+        """Buttons show which profile is in use, and a hand is told without a move of the picture."""
+        self.scene("Pyramid")
+        pressed = "[...document.querySelectorAll('aside button[aria-pressed=true]')].map((one) => one.ariaLabel)"
+        self.browser.run("document.querySelector('#profiles button').click();")
+        self.expect(self.number(pressed) == ["Profile fast", "Compare with none"], "a profile is pressed")
+        self.browser.run("document.querySelector('#compare button').click();")
+        self.expect(self.number(pressed) == ["Profile fast", "Compare with fast"], "and one beside it")
+        height = self.number("document.getElementById('canvas').clientHeight")
+        self.browser.press("3")
+        self.expect(self.number("document.getElementById('message').textContent").startswith("Draw: "),
+                    "a hint names its hand")
+        self.expect(self.number("document.getElementById('canvas').clientHeight") == height,
+                    "a hint does not move the picture")
+        water = "sandbox.registry.dials.findIndex(({ name }) => name === 'water')"
+        self.expect(self.number(f"document.getElementById(`dial-${{{water}}}-input`).getAttribute('aria-valuetext')")
+                    == "none", "absent water is none")
+
     def graphs(self):
         """Each measure of the registry has its value as text, and a graph of the last steps."""
         self.scene("Pyramid")
@@ -221,6 +239,10 @@ class Site(Trial):
         read = loaded(was)  # a rotation in mid-motion may change by its last bit, once: scene_file.hpp
         self.expect(read.count("\n") == was.count("\n"), "a scene file is loaded")
         self.expect(loaded(read) == read, "a scene file gives the same text")
+        self.expect(self.number("document.getElementById('scene').selectedIndex") == -1,
+                    "no scene is selected, since none is shown")
+        self.expect("not judged" in self.number("document.getElementById('expectation').textContent"),
+                    "what was expected is told")
         self.shot("file")
 
     def examples(self):
@@ -232,7 +254,7 @@ class Site(Trial):
             self.browser.run(f"document.querySelector('[data-run={name}]').click();")
             told = f"document.querySelector('#box-{name} output').textContent"
             self.wait(f"{told}.includes('.')", 60)
-            self.expect("The text of the native" in self.number(told), f"{name}: {self.number(told)}")
+            self.expect("The same text as the native program printed." in self.number(told), f"{name}: {self.number(told)}")
         self.expect(self.wait("[...document.images].every((one) => one.complete && one.naturalWidth > 0)"),
                     "the pictures that they draw are shown")
         self.browser.run("document.querySelector('#box-hills').scrollIntoView();")
@@ -298,7 +320,7 @@ def refused(site):
 
 def main(page, pictures):
     with trial_of(Site, page, pictures) as site:
-        for part in (site.start_page, site.examples, site.sandbox, site.verdict, site.graphs, site.keyboard,
+        for part in (site.start_page, site.examples, site.sandbox, site.verdict, site.panel, site.graphs, site.keyboard,
                      site.tours, site.share, site.touch, site.frames):
             part()
     preferences = {"profile.default_content_setting_values.cookies": 2}

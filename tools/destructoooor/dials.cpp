@@ -170,34 +170,35 @@ std::vector<Dial> solverDials() {
 std::vector<Dial> worldDials() {
     return {
         worldDial(
-            {.name = "gravity", .what = "m/s^2, downwards.", .low = -10, .high = 40},
+            {.name = "gravity", .what = "Gravity (m/s^2), downwards.", .low = -10, .high = 40},
             [](const Sandbox& box) { return box.gravity(); },
             [](Sandbox& box, Real value) { box.setGravity(value); }),
         worldDial(
             {.name = "wind",
-             .what = "m/s, to the right; a field that drags.",
+             .what = "Speed of the air (m/s), to the right; it drags bodies.",
              .low = -20,
              .high = 20},
             [](const Sandbox& box) { return box.wind(); },
             [](Sandbox& box, Real value) { box.setWind(value); }),
         worldDial(
             {.name = "water",
-             .what = "Height of the surface (m); its density is 2 kg/m^2. Lowest: none.",
+             .what = "Height of the surface of water (m); its density is 2 kg/m^2.",
              .low = static_cast<double>(Sandbox::kNoWater),
              .high = 12,
-             .stride = 0.5},
+             .stride = 0.5,
+             .lowest = "none"},
             [](const Sandbox& box) { return box.waterLevel(); },
             [](Sandbox& box, Real value) { box.setWaterLevel(value); }),
         worldDial(
             {.name = "friction",
-             .what = "Of all bodies, once it is moved.",
+             .what = "Friction of all bodies, once this dial is moved.",
              .high = 1,
              .stride = 0.05},
             [](const Sandbox& box) { return box.friction(); },
             [](Sandbox& box, Real value) { box.setMaterial(value, box.restitution()); }),
         worldDial(
             {.name = "restitution",
-             .what = "Of all bodies, once it is moved.",
+             .what = "Restitution of all bodies, once this dial is moved.",
              .high = 1,
              .stride = 0.05},
             [](const Sandbox& box) { return box.restitution(); },
@@ -208,16 +209,19 @@ std::vector<Dial> worldDials() {
 std::vector<Dial> featureDials() {
     using kodo::Feature;
     return {
-        featureDial("Friction", "Without it all surfaces are ice.", "", Feature::Friction),
-        featureDial("Restitution", "Without it nothing bounces.", "A tenth to a fifth in a crowd.",
-                    Feature::Restitution),
-        featureDial("RollingResistance", "Brakes what rolls, where a material says so.", "",
+        featureDial("Friction", "Without friction all surfaces are ice.", "", Feature::Friction),
+        featureDial("Restitution", "Without restitution nothing bounces.",
+                    "A tenth to a fifth of a step in a crowd.", Feature::Restitution),
+        featureDial("RollingResistance",
+                    "Rolling resistance brakes what rolls, where a material says so.", "",
                     Feature::RollingResistance),
-        featureDial("Rotation", "Without it nothing turns.", "About half where bodies tumble.",
-                    Feature::Rotation),
-        featureDial("ContinuousCollision", "Without it fast bodies pass thin walls.",
-                    "Up to an eighth where bodies are fast.", Feature::ContinuousCollision),
-        featureDial("Sleep", "Lets calm islands fall asleep.", "", Feature::Sleep),
+        featureDial("Rotation", "Without rotation nothing turns.",
+                    "About half of a step where bodies tumble.", Feature::Rotation),
+        featureDial(
+            "ContinuousCollision", "Without continuous collision fast bodies pass thin walls.",
+            "Up to an eighth of a step where bodies are fast.", Feature::ContinuousCollision),
+        featureDial("Sleep", "Sleep lets calm islands rest until something wakes them.", "",
+                    Feature::Sleep),
     };
 }
 

@@ -24,6 +24,7 @@ struct Dial {
     /// False where the present solver has no such number.
     std::function<bool(const Sandbox&)> shown = [](const Sandbox&) { return true; };
     std::vector<std::string_view> words{}; // instead of the numbers from `low` on
+    std::string_view lowest{};             // a word for `low` alone; empty: its number
 };
 
 /// All dials, group by group.

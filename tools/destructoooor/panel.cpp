@@ -104,9 +104,10 @@ bool dial(const Dial& one, Workbench& bench) {
     }
     auto value = static_cast<float>(before);
     ImGui::SetNextItemWidth(150);
-    const bool moved =
-        ImGui::SliderFloat(name.c_str(), &value, static_cast<float>(one.low),
-                           static_cast<float>(one.high), one.stride < 1 ? "%.2f" : "%.0f");
+    const bool worded = !one.lowest.empty() && before <= one.low;
+    const char* const format = worded ? one.lowest.data() : one.stride < 1 ? "%.2f" : "%.0f";
+    const bool moved = ImGui::SliderFloat(name.c_str(), &value, static_cast<float>(one.low),
+                                          static_cast<float>(one.high), format);
     const double wanted = snapped(one, static_cast<double>(value));
     if (!moved || wanted == before) {
         return false;

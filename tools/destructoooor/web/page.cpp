@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The sandbox for a page: functions that sandbox.js calls. Texts and figures stay valid until the
 // next call.
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <exception>
@@ -104,7 +105,7 @@ std::string dialText(const Dial& dial) {
     return "{\"group\":" + quoted(dial.group) + ",\"name\":" + quoted(dial.name) +
            ",\"what\":" + quoted(dial.what) + ",\"price\":" + quoted(dial.price) +
            ",\"low\":" + std::to_string(dial.low) + ",\"high\":" + std::to_string(dial.high) +
-           ",\"stride\":" + std::to_string(dial.stride) +
+           ",\"stride\":" + std::to_string(dial.stride) + ",\"lowest\":" + quoted(dial.lowest) +
            ",\"words\":" + listed(dial.words, quoted) + "}";
 }
 
@@ -219,6 +220,19 @@ SANDBOX_EXPORT const char* sandbox_setProfile(std::size_t profile) {
 SANDBOX_EXPORT const char* sandbox_code() {
     return told([] { text = codeOf(sandbox().settings()); });
 }
+/// Which profile the settings are, of the World or of the second one: -1 none of them, -2 there is
+/// no such World.
+SANDBOX_EXPORT int sandbox_profile(bool second) {
+    const kodo::World* const world = second ? sandbox().twin() : &sandbox().world();
+    if (world == nullptr) {
+        return -2;
+    }
+    const std::span<const Profile> all = profiles();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Profile& profile) {
+        return profile.settings == world->settings();
+    });
+    return found == all.end() ? -1 : static_cast<int>(found - all.begin());
+}
 /// Below 0: without a second World.
 SANDBOX_EXPORT void sandbox_compare(int profile) {
     if (profile < 0) {
@@ -329,9 +343,20 @@ SANDBOX_EXPORT const char* sandbox_take() {
     return told([] { sandbox().take(bytes); });
 }
 
-/// A value of the last step, see valueOf().
+/// A value of the last step, see valueOf(). A time is the mean of the last second, since the clock
+/// of a browser is coarse.
 SANDBOX_EXPORT float sandbox_measure(std::size_t which) {
-    return valueOf(sandbox().measures().last(), which);
+    const Measures& measures = sandbox().measures();
+    const bool time = which >= kMeasures.size() || kMeasures[which].value == &Sample::step;
+    const std::size_t steps = std::min<std::size_t>(measures.samples().size(), 60);
+    if (!time || steps == 0) {
+        return valueOf(measures.last(), which);
+    }
+    float sum = 0;
+    for (const Sample& sample : std::span(measures.samples()).last(steps)) {
+        sum += valueOf(sample, which);
+    }
+    return sum / static_cast<float>(steps);
 }
 /// The values of the steps before as well, the oldest one first: their number, and
 /// sandbox_figures() has them.

@@ -34,8 +34,10 @@ function add(parent, tag, properties = {}, ...children) {
   return made;
 }
 
-function say(text) {
+/** Tells a tip; or, by its kind, what is "done", or an "error". */
+function say(text, kind = "tip") {
   element("message").textContent = text;
+  element("message").className = kind;
 }
 
 /** A choice among some, as radio buttons. */
@@ -128,12 +130,12 @@ const dials = []; // { refresh } of each
 /** A control of one dial: refresh() shows its value. */
 function dialControl(parent, dial, i) {
   const set = (value) => {
-    say(textAt(kodo.sandbox_setDial(i, value)));
+    say(textAt(kodo.sandbox_setDial(i, value)), "error");
     refresh();
   };
   const what = `dial-${i}`;
   const box = add(parent, "div", { className: "dial" });
-  const small = () => add(box, "small", { id: what }, `${dial.what} ${dial.price}`);
+  const small = () => add(box, "small", { id: what }, `${dial.what}${dial.price && ` Cost: ${dial.price}`}`);
   const shown = () => (box.hidden = !kodo.sandbox_dialShown(i));
   if (dial.words.join() === "off,on") {
     const label = add(box, "label", { className: "choice" });
@@ -161,7 +163,8 @@ function dialControl(parent, dial, i) {
     shown();
     const value = kodo.sandbox_dial(i);
     input.value = value;
-    output.textContent = Number(value.toFixed(2));
+    output.textContent = value <= dial.low && dial.lowest || Number(value.toFixed(2));
+    input.setAttribute("aria-valuetext", output.textContent);
   };
 }
 
@@ -194,19 +197,32 @@ function drawGraph({ graph }, which) {
   graph.stroke();
 }
 
+function profileButtons(id, what, names, act) {
+  names.forEach((name, i) => {
+    const button = add(element(id), "button", { ariaLabel: `${what} ${name}` }, name);
+    button.onclick = () => { act(i); refresh(); };
+  });
+}
+
+/** Presses the buttons of the present profiles; the last one to compare with is none. */
+function showProfiles() {
+  for (const [id, second] of [["profiles", false], ["compare", true]]) {
+    const present = kodo.sandbox_profile(second);
+    element(id).querySelectorAll("button").forEach((button, i) => button.setAttribute(
+      "aria-pressed", String(i === (present === -2 ? registry.profiles.length : present))));
+  }
+}
+
 function fillPanel() {
   choices(element("hands"), "hand", registry.hands, kDrag, setHand);
   choices(element("things"), "thing", registry.things, 0, (thing) => {
     state.thing = thing;
     kodo.sandbox_setDropped(thing, state.size);
   });
-  for (const [id, act] of [["profiles", (i) => say(textAt(kodo.sandbox_setProfile(i)))],
-                           ["compare", (i) => kodo.sandbox_compare(i)]]) {
-    registry.profiles.forEach((name, i) => {
-      add(element(id), "button", {}, name).onclick = () => { act(i); refresh(); };
-    });
-  }
-  add(element("compare"), "button", {}, "none").onclick = () => kodo.sandbox_compare(-1);
+  profileButtons("profiles", "Profile", registry.profiles,
+                 (i) => say(textAt(kodo.sandbox_setProfile(i)), "error"));
+  profileButtons("compare", "Compare with", [...registry.profiles, "none"],
+                 (i) => kodo.sandbox_compare(i < registry.profiles.length ? i : -1));
   add(element("compare"), "output", { id: "difference" });
   kLooks.forEach((name, i) => {
     const label = add(element("look"), "label", { className: "choice" });
@@ -230,7 +246,7 @@ function setHand(hand) {
   state.hand = hand;
   choose("hand", hand);
   element("things").hidden = hand !== kDrop;
-  say(registry.hands[hand].what);
+  say(`${registry.hands[hand].name}: ${registry.hands[hand].what}`);
 }
 
 function setPaused(paused) {
@@ -242,6 +258,7 @@ function setPaused(paused) {
 /** Shows all values that a change may have changed. */
 function refresh() {
   dials.forEach((show) => show());
+  showProfiles();
   showTime();
 }
 
@@ -376,7 +393,7 @@ const placeOf = ({ offsetX, offsetY }) => ({ x: offsetX * window.devicePixelRati
 function pointer(phase, { x, y }) {
   const sentence = textAt(kodo.sandbox_pointer(phase, state.hand, x, y));
   if (sentence !== "") {
-    say(sentence);
+    say(sentence, "error");
   }
   if (phase === 2) {
     refresh();
@@ -547,6 +564,19 @@ function restart() {
   refresh();
 }
 
+/** Shows a World that was loaded: its heading, and what was expected of the scene that it was. */
+function showLoaded(heading, name) {
+  state.tour = -1;
+  state.file = true;
+  element("tour").hidden = true;
+  element("scene").selectedIndex = -1;
+  const scene = registry.scenes.find((each) => each.name === name);
+  element("question").textContent = heading;
+  element("expectation").textContent = scene === undefined ? "What was loaded is not judged."
+    : `Expected of ${name}: ${scene.expectation} What was loaded is not judged.`;
+  document.title = `${heading.replace(/\.$/, "")} - Destructoooor!`;
+}
+
 // Scene files.
 
 /** Takes a scene file; a mistake is told, and nothing is lost. */
@@ -556,20 +586,16 @@ async function takeFile(file) {
   new Uint8Array(kodo.memory.buffer, kodo.sandbox_bytes(), bytes.length).set(bytes);
   const mistakes = textAt(kodo.sandbox_takeText());
   if (mistakes !== "") {
-    say(mistakes.replaceAll("the file", file.name));
+    say(mistakes.replaceAll("the file", file.name), "error");
     return;
   }
   const title = textAt(kodo.sandbox_title());
-  state.tour = -1;
-  state.file = true;
-  element("tour").hidden = true;
-  element("question").textContent = title;
-  element("expectation").textContent = "";
-  document.title = `${title} - Destructoooor!`;
+  history.replaceState(null, "", location.pathname);
+  showLoaded(title, title);
   held = false;
   showScene();
   refresh();
-  say(`Loaded ${file.name}.`);
+  say(`Loaded ${file.name}.`, "done");
 }
 
 function saveFile() {
@@ -579,7 +605,7 @@ function saveFile() {
   link.click();
   URL.revokeObjectURL(link.href);
   const lacking = textAt(kodo.sandbox_notHeld());
-  say(`Saved as scene.toml.${lacking === "" ? "" : ` Not held: ${lacking}.`}`);
+  say(`Saved as scene.toml.${lacking === "" ? "" : ` Not held: ${lacking}.`}`, "done");
 }
 
 /** Opens what the link of the page names. */
@@ -600,7 +626,7 @@ async function enter() {
   try {
     await takeWorld(data);
   } catch (error) {
-    say(error.message);
+    say(error.message, "error");
     return;
   }
   const place = (asked.get("view") ?? "").split(",").map(Number);
@@ -608,9 +634,7 @@ async function enter() {
     [view.x, view.y, view.height] = place;
   }
   history.replaceState(null, "", wanted);
-  state.file = true;
-  element("question").textContent = "A World of a link, which goes on where it was copied.";
-  element("expectation").textContent = "";
+  showLoaded("A World of a link, which goes on where it was copied.", name);
   refresh();
 }
 
@@ -618,7 +642,7 @@ async function enter() {
 async function copy(text, done) {
   try {
     await navigator.clipboard.writeText(text);
-    say(done);
+    say(done, "done");
   } catch {
     say(text);
   }
