@@ -23,13 +23,17 @@ WON = 1  # of Result in game_state.hpp
 A, START, DOWN, RIGHT = 0, 9, 13, 15  # buttons of the standard gamepad
 
 
-# What a browser without sound has for it, before the page loads: nothing, a constructor that throws,
-# a context that never starts.
-SILENT = {
+# What a browser may lack, done before the page loads. Sound: nothing, a constructor that throws, a
+# context that never starts.
+LACKS = {
     "no Web Audio": "delete window.AudioContext; delete window.webkitAudioContext;",
     "a Web Audio that throws": "window.AudioContext = class { constructor() { throw new Error('no'); } };",
     "sound that is refused": """AudioContext.prototype.resume = () => Promise.reject(new Error("refused"));
         Object.defineProperty(AudioContext.prototype, "state", { get: () => "suspended" });""",
+    "no typefaces": "document.fonts.load = () => Promise.reject(new Error('a network error'));",
+    "gamepads that are forbidden": "navigator.getGamepads = () => { throw new Error('forbidden'); };",
+    "no storage": "Object.defineProperty(window, 'indexedDB', { value: undefined });",
+    "storage that never answers": "IDBFactory.prototype.open = () => ({});",
 }
 
 
@@ -114,9 +118,9 @@ class Game(Trial):
         self.browser.press(" ")
         self.browser.hold("left", 0.5)
 
-    def silent(self):
-        """Without sound the game starts and plays."""
-        for lack, script in SILENT.items():
+    def lacking(self):
+        """The game starts and plays with what the browser has."""
+        for lack, script in LACKS.items():
             with self.browser.before_pages(script):
                 self.browser.open(self.address + "#level=quarry")
                 self.expect(self.arrives(PLAYING) and self.serves(lambda: self.browser.press(" ")) and
@@ -197,26 +201,42 @@ class Game(Trial):
         self.browser.open(self.address + "#replay=damaged")
         self.expect(self.arrives(TITLE), "a damaged link is told")
 
-    def drop_file(self, text):
+    def drop_file(self, text, name="mine.toml"):
         self.browser.open(self.address)
         self.arrives(TITLE)
         self.browser.run(f"""const data = new DataTransfer();
-            data.items.add(new File([{json.dumps(text)}], "mine.toml"));
+            data.items.add(new File([{json.dumps(text)}], "{name}"));
             window.dispatchEvent(new DragEvent("drop", {{ dataTransfer: data, cancelable: true }}));""")
 
     def drop(self):
         """A level of the player's own comes by drag and drop, and stays."""
         self.drop_file("title = nonsense")
-        told = "document.getElementById('news').textContent"
-        self.wait(f"{told}.includes('mine.toml:1:')")
-        told = self.number(told)
-        self.expect("mine.toml:1:" in told, f"an error of a dropped level is told: {told}")
+        self.tells("mine.toml:1:", "an error of a dropped level")
+        self.drop_file("title = 'x'", "first_light.toml")
+        self.tells("rename the file", "a level with a name of the game's")
+        for link in ("level=mine", "level=nonsense", "daily=2026-02-30"):
+            self.browser.open(self.address + "#" + link)
+            self.expect(self.arrives(TITLE), f"#{link} starts with the title")
+            self.tells("there is no level", f"#{link}")
         example = pathlib.Path(__file__).parents[2] / "game/examples/gallows.toml"
         self.drop_file(example.read_text(encoding="utf-8"))
         self.expect(self.arrives(PLAYING), "a dropped level is played")
         self.shot("dropped")
         self.browser.open(self.address + "#level=mine")
         self.expect(self.arrives(PLAYING), "a dropped level is kept")
+        first = self.browser.call("GET", "/window")
+        second = self.browser.call("POST", "/window/new", {"type": "tab"})["handle"]
+        self.browser.call("POST", "/window", {"handle": second})
+        self.browser.open(self.address)
+        self.tells("another tab", "a second tab that keeps nothing")
+        self.browser.call("DELETE", "/window")
+        self.browser.call("POST", "/window", {"handle": first})
+
+    def tells(self, words, what):
+        """The page says so."""
+        told = "document.getElementById('news').textContent"
+        held = self.wait(f"{told}.includes({json.dumps(words)})") is not None
+        self.expect(held, f"{what} is told: {self.number(told)}")
 
     def map(self):
         """The map by keys, on all sizes of screens: chosen by arrows, played by enter, left by escape."""
@@ -381,7 +401,7 @@ class Game(Trial):
 def main(page, pictures, program):
     with trial_of(Game, page, pictures) as game:
         game.address += "index.html"
-        for part in (game.title, game.level, game.silent, game.lost, game.win, game.lose, game.link):
+        for part in (game.title, game.level, game.lacking, game.lost, game.win, game.lose, game.link):
             part()
         game.daily(program)
         game.drop()

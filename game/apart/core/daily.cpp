@@ -4,6 +4,8 @@
 #include <apart/core/text_file.hpp>
 #include <apart/core/tuning.hpp>
 
+#include <chrono>
+
 namespace apart {
 
 namespace {
@@ -44,7 +46,11 @@ std::optional<Day> dayOf(std::string_view key) {
     if (digits.size() != 8 || !day || *day < 0 || dailyKey(static_cast<Day>(*day)) != key) {
         return std::nullopt;
     }
-    return static_cast<Day>(*day);
+    using namespace std::chrono;
+    const auto date = static_cast<unsigned>(*day);
+    const year_month_day real(year(static_cast<int>(date / 10000)), month(date / 100 % 100),
+                              std::chrono::day(date % 100));
+    return real.ok() && date >= 10000 ? std::optional(static_cast<Day>(date)) : std::nullopt;
 }
 
 bool isDaily(const ReplayRun& run, Day day) {

@@ -186,15 +186,22 @@ std::optional<Vec2> placeOf(const Stage& stage, std::string_view name) {
 } // namespace apart
 
 /// `level` and `replay` may be empty: what a link names. The level may be a daily run: daily, or
-/// daily-2026-11-26. The replay is a file.
-extern "C" EMSCRIPTEN_KEEPALIVE void startGame(const char* level, const char* replay) {
+/// daily-2026-11-26. The replay is a file. What cannot be played is told, and the game starts with
+/// its title. The sentence is valid until the next call.
+extern "C" EMSCRIPTEN_KEEPALIVE const char* startGame(const char* level, const char* replay) {
     using namespace apart;
+    static std::string told;
     StartOptions options;
     options.level = level;
     options.replay = replay;
     auto def = setUp(options);
     if (const auto* problem = std::get_if<std::string>(&def)) {
-        return complain(problem->c_str());
+        told = *problem;
+        def = setUp({});
+    }
+    if (const auto* problem = std::get_if<std::string>(&def)) {
+        complain(problem->c_str());
+        return "";
     }
     auto& stage = std::get<StageDef>(def);
     keepInBrowser(stage);
@@ -203,11 +210,24 @@ extern "C" EMSCRIPTEN_KEEPALIVE void startGame(const char* level, const char* re
     stage.profile.bindings.fingers = hasFingers() != 0;
     thePage = std::make_unique<Page>(std::move(stage));
     if (!openContext(thePage->canvas)) {
-        return complain("This browser has no WebGL 2, which the game is drawn with.");
+        complain("This browser has no WebGL 2, which the game is drawn with.");
+        return "";
     }
     watchPage(*thePage);
     thePage->last = emscripten_get_now();
     emscripten_set_main_loop(frame, 0, EM_FALSE);
+    return told.c_str();
+}
+
+/// Why a file is no level; "" if it is one. Valid until the next call.
+extern "C" EMSCRIPTEN_KEEPALIVE const char* problemOfLevel(const char* file) {
+    static std::string problem;
+    apart::StartOptions options;
+    options.level = file;
+    const auto def = apart::setUp(options);
+    const auto* told = std::get_if<std::string>(&def);
+    problem = told != nullptr ? *told : "";
+    return problem.c_str();
 }
 
 /// The fragment of a link to the game in a file; "" if there is none. Valid until the next call.

@@ -10,11 +10,16 @@ const news = document.getElementById("news");
 const canvas = document.getElementById("canvas");
 const folder = "/player";
 const levels = folder + "/apart/levels"; // of the player
+const builtIn = "/assets/levels";
 const lastGame = folder + "/apart/last.replay";
 const packedMark = 7;
+const toLock = 500; // ms
+const toRead = 5000; // ms
+const longest = 300; // letters of a message: a link may hold any text
+let started = false;
 
 function tell(sentence) {
-    news.textContent = sentence;
+    news.textContent = sentence.slice(0, longest);
     news.hidden = sentence === "";
 }
 
@@ -35,7 +40,7 @@ async function wishes() {
     const daily = day === null ? "" : day === "" ? "daily" : "daily-" + day;
     const wish = { level: asked.get("level") || daily, replay: "" };
     const own = levels + "/" + wish.level + ".toml";
-    if (FS.analyzePath(own).exists) {
+    if (asked.has("level") && FS.analyzePath(own).exists) {
         wish.level = own; // its errors are told by line
     }
     if (asked.has("replay")) {
@@ -48,6 +53,9 @@ async function wishes() {
 }
 
 async function copyLink() {
+    if (!started) {
+        return;
+    }
     const data = Module.ccall("linkOfLastGame", "string", ["string"], [lastGame]);
     if (data === "") {
         return flash("There is no game to link to yet.");
@@ -71,16 +79,34 @@ async function copyText(text) {
 
 /// A level that is dropped on the page becomes one of the player's, and is played.
 async function takeLevel(file) {
-    if (!file || !file.name.endsWith(".toml")) {
+    if (!started) {
+        return;
+    }
+    if (!file || !file.name.toLowerCase().endsWith(".toml")) {
         return flash("A level is a file whose name ends in .toml.");
     }
-    FS.mkdirTree(levels);
-    FS.writeFile(levels + "/" + file.name, new Uint8Array(await file.arrayBuffer()));
-    if (!await Module.keepFiles()) {
-        return flash("This browser keeps no files, so it cannot keep a level.");
+    const name = file.name.slice(0, -".toml".length);
+    if (FS.analyzePath(builtIn + "/" + name + ".toml").exists) {
+        return flash("The game has a level " + name + ": rename the file.", toRead);
     }
-    const name = encodeURIComponent(file.name.slice(0, -".toml".length));
-    history.replaceState(null, "", "#level=" + name);
+    try {
+        const tried = builtIn + "/" + name + ".toml"; // of no level of the game
+        const bytes = new Uint8Array(await file.arrayBuffer());
+        FS.writeFile(tried, bytes);
+        const problem = Module.ccall("problemOfLevel", "string", ["string"], [tried]);
+        FS.unlink(tried);
+        if (problem) {
+            return flash(plain(problem), toRead);
+        }
+        FS.mkdirTree(levels);
+        FS.writeFile(levels + "/" + name + ".toml", bytes);
+    } catch (error) {
+        return flash("The file " + file.name + " cannot be read.", toRead);
+    }
+    if (!await Module.keepFiles()) {
+        return flash(Module.notKept, toRead);
+    }
+    history.replaceState(null, "", "#level=" + encodeURIComponent(name));
     location.reload();
 }
 
@@ -90,10 +116,50 @@ function turned() {
 }
 
 let flashes = 0;
-function flash(sentence) {
+function flash(sentence, duration = 2500) {
     tell(sentence);
     const mine = ++flashes;
-    setTimeout(() => { if (mine === flashes) { tell(""); } }, 2500);
+    setTimeout(() => { if (mine === flashes) { tell(""); } }, duration);
+}
+
+/// True once no other tab of the game keeps files: what two of them keep would overwrite each other.
+function ownFiles() {
+    if (!navigator.locks) {
+        return Promise.resolve(true);
+    }
+    const signal = AbortSignal.timeout(toLock); // a page that is left lets go a little later
+    return new Promise((done) => navigator.locks.request("aPart" + location.pathname, { signal }, () => {
+        done(true);
+        return new Promise(() => {}); // until the page is left
+    }).catch(() => done(false)));
+}
+
+/// Reads the player's files, and resolves to why they are not kept, or "".
+async function openFiles() {
+    if (!window.indexedDB) {
+        return "This browser keeps no files: scores and levels last as long as the page.";
+    }
+    FS.mount(IDBFS, {}, folder);
+    const read = new Promise((done) => FS.syncfs(true, (error) => done(!error)));
+    const waited = new Promise((done) => setTimeout(() => done(false), toRead));
+    if (!await Promise.race([read, waited])) {
+        return "This browser refuses to keep files: scores and levels last as long as the page.";
+    }
+    if (!await ownFiles()) {
+        return "The game is open in another tab, which keeps the scores: this one keeps none.";
+    }
+    Module.keepFiles = () => new Promise((done) => FS.syncfs(false, (problem) => done(!problem)));
+    return "";
+}
+
+/// A browser may forbid gamepads by an exception, in each frame.
+function probePads() {
+    try {
+        navigator.getGamepads?.();
+    } catch (error) {
+        console.warn("No gamepads: " + error);
+        navigator.getGamepads = () => [];
+    }
 }
 
 /// Draws one letter with the typefaces of the page: its advance, offset x, offset y, width and
@@ -124,6 +190,11 @@ function drawLetter(bold, height, letter, metrics, opacities, largest) {
             HEAPU8[opacities + i] = pixels[4 * i + 3];
         }
     }
+}
+
+/// A sentence without the folders of this page's own file system.
+function plain(sentence) {
+    return sentence.replaceAll(levels + "/", "").replaceAll(builtIn + "/", "").replaceAll("/link.replay", "the link");
 }
 
 /// The script processor renders on the page's own thread, where the mixer lives. Worklets need
@@ -169,18 +240,13 @@ var Module = {
     complain: tell,
     copyText,
     keepFiles: async () => false, // resolves to true once the browser has the files
+    notKept: "", // why no files are kept
     preRun: [() => {
         // Private windows refuse storage: the files then last as long as the page.
         FS.mkdir(folder);
-        FS.mount(IDBFS, {}, folder);
         addRunDependency("storage");
-        FS.syncfs(true, (error) => {
-            if (error) {
-                console.warn("Settings and scores are not kept: " + error);
-            } else {
-                Module.keepFiles = () => new Promise(
-                    (done) => FS.syncfs(false, (problem) => done(!problem)));
-            }
+        openFiles().then((problem) => {
+            Module.notKept = problem;
             removeRunDependency("storage");
         });
     }],
@@ -189,7 +255,8 @@ var Module = {
 };
 
 async function start() {
-    await Promise.all([document.fonts.load("16px apart"), document.fonts.load("bold 16px apart")]);
+    probePads();
+    await Promise.allSettled([document.fonts.load("16px apart"), document.fonts.load("bold 16px apart")]);
     let wish = { level: "", replay: "" };
     let problem = "";
     try {
@@ -198,14 +265,31 @@ async function start() {
         problem = "The replay of this link is damaged.";
     }
     tell("");
-    Module.ccall("startGame", null, ["string", "string"], [wish.level, wish.replay]);
-    if (problem) {
-        flash(problem);
+    started = true;
+    problem = plain(Module.ccall("startGame", "string", ["string", "string"], [wish.level, wish.replay])) || problem;
+    if (problem || Module.notKept) {
+        flash(problem || Module.notKept, toRead);
     }
     canvas.focus();
 }
 
-document.getElementById("pause").onclick = () => { Module._pressButton(0); canvas.focus(); };
+/// What goes wrong before the game runs is told in place of it: a file that is missing, for instance.
+function failed(reason) {
+    if (!started) {
+        tell("The game could not be loaded: " + reason);
+    }
+}
+
+const buttons = document.querySelector("nav");
+document.addEventListener("pointerlockchange", () => {
+    buttons.hidden = document.pointerLockElement !== null; // no pointer could reach them
+});
+document.getElementById("pause").onclick = () => {
+    if (started) {
+        Module._pressButton(0);
+    }
+    canvas.focus();
+};
 document.getElementById("link").onclick = () => { copyLink(); canvas.focus(); };
 document.getElementById("full").onclick = () => {
     document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen();
@@ -218,3 +302,6 @@ window.addEventListener("drop", (event) => {
     takeLevel(event.dataTransfer.files[0]);
 });
 window.addEventListener("hashchange", () => location.reload());
+window.addEventListener("unhandledrejection", (event) => failed(event.reason));
+window.addEventListener("error", (event) =>
+    failed(event.message || (event.target.src || event.target.href) + " is missing"), true);

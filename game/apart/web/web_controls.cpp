@@ -160,9 +160,9 @@ bool WebControls::takePress() {
 
 bool WebControls::onKey(int type, const EmscriptenKeyboardEvent& event) {
     const int key = keyOfCode(event.code);
-    if (key == kNoKey || event.ctrlKey || event.metaKey ||
+    if (key == kNoKey || std::strcmp(event.code, "Tab") == 0 || event.ctrlKey || event.metaKey ||
         (event.altKey && type != EMSCRIPTEN_EVENT_KEYUP)) {
-        return false; // the browser's own
+        return false; // the browser's own; Tab leads to the buttons of the page
     }
     if (type == EMSCRIPTEN_EVENT_KEYUP) {
         keys_.release(key);
@@ -221,6 +221,9 @@ bool WebControls::onMouse(int type, const EmscriptenMouseEvent& event) {
 }
 
 bool WebControls::onWheel(const EmscriptenWheelEvent& event) {
+    if (event.deltaY == 0) {
+        return false; // sideways
+    }
     signals_.commands.push_back(event.deltaY < 0 ? Command::Up : Command::Down);
     return true;
 }
