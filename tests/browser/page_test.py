@@ -210,11 +210,11 @@ class Game(Trial):
 
     def drop(self):
         """A level of the player's own comes by drag and drop, and stays."""
-        self.drop_file("title = nonsense")
-        self.tells("mine.toml:1:", "an error of a dropped level")
+        self.drop_file("title = nonsense", "broken.toml")
+        self.tells("broken.toml:1:", "an error of a dropped level")
         self.drop_file("title = 'x'", "first_light.toml")
         self.tells("rename the file", "a level with a name of the game's")
-        for link in ("level=mine", "level=nonsense", "daily=2026-02-30"):
+        for link in ("level=broken", "level=nonsense", "daily=2026-02-30"):
             self.browser.open(self.address + "#" + link)
             self.expect(self.arrives(TITLE), f"#{link} starts with the title")
             self.tells("there is no level", f"#{link}")
@@ -291,6 +291,8 @@ class Game(Trial):
         """Two players at one screen: each key moves one paddle, each player serves."""
         self.browser.resize(1280, 720)
         self.choose("Duel", LEVELS)
+        self.draws(3)
+        self.expect(self.state(CHOSEN) == 0, "a mouse that rests on the map chooses no level")
         self.browser.press("enter")
         self.expect(self.arrives(DUEL), "the map of a duel starts one")
         for player, keys in enumerate((("a", "d"), ("left", "right"))):

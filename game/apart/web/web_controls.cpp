@@ -184,9 +184,12 @@ Vec2 WebControls::fieldPoint(Pixel page) const {
     return canvas_.camera().toWorld(density_ * page);
 }
 
+/// Only a pointer that moves points at something. A browser also tells where it rests when the page
+/// or its size changes, and when a button is let go that has opened a menu below it.
 void WebControls::movePointer(Pixel page) {
     pointer_ = fieldPoint(page);
-    if (!captured_) {
+    const Pixel before = std::exchange(page_, page).value_or(page);
+    if (!captured_ && (page.x != before.x || page.y != before.y)) {
         signals_.pointer = pointer_;
     }
 }

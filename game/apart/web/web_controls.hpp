@@ -67,9 +67,10 @@ private:
     bool dragging_ = false;
     bool captured_ = false;
     bool pressed_ = false;
-    Vec2 pointer_;      // m
-    float density_ = 1; // pixels of the picture for one of the page
-    float turned_ = 0;  // pixels
+    Vec2 pointer_;                         // m
+    std::optional<kodo_draw::Pixel> page_; // where the pointer was last, in pixels of the page
+    float density_ = 1;                    // pixels of the picture for one of the page
+    float turned_ = 0;                     // pixels
 };
 
 /// The key of kKeyNames for the `code` of a keyboard event, or kNoKey.
