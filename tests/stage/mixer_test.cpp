@@ -105,12 +105,14 @@ TEST(Mixer, TheFirstLevelIsHardlyEverSilent) {
     EXPECT_LE(peakOf(samples), Mixer::kCeiling + 1e-6f);
 }
 
-// A fall or a wait within 24 seconds moves the loudness by 2 LU, within 72 by less than 1.
+// s. A fall or a wait within 24 seconds moves the loudness by 2 LU, within 72 by less than 1.
+constexpr double kLong = support::kSanitized ? 24 : 72;
+
 TEST(Mixer, EveryThemeIsAsLoudAndBelowTheCeiling) {
     for (const char* name : support::kSanitized ? std::vector{"arch", "orbit"}
                                                 : std::vector{"arch", "card_house", "dam", "cart",
                                                               "orbit", "galleon"}) {
-        const std::vector<float> samples = soundOf(name, 72);
+        const std::vector<float> samples = soundOf(name, kLong);
         EXPECT_NEAR(loudnessOf(samples, kSampleRate), -16, 1) << name;
         EXPECT_LE(peakOf(samples), Mixer::kCeiling + 1e-6f) << name;
     }
@@ -122,7 +124,7 @@ TEST(Mixer, AFallLiesNineLuAbovePlay) {
     for (const char* name :
          support::kSanitized ? std::vector{"arch"} : std::vector{"arch", "tower"}) {
         std::vector<float> rumbles;
-        const std::vector<float> samples = soundOf(name, 72, &rumbles);
+        const std::vector<float> samples = soundOf(name, kLong, &rumbles);
         const std::vector<double> blocks = blocksOf(energiesOf(samples, kSampleRate), 30);
         std::vector<double> calm;
         double loudest = -100;
