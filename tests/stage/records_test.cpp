@@ -17,9 +17,10 @@ TEST(Daily, ADayIsAKeyAndASeed) {
     EXPECT_EQ(dayText(kToday), "2026-11-26");
     EXPECT_EQ(dailyKey(kToday), "daily-2026-11-26");
     EXPECT_EQ(dayOf("daily-2026-11-26"), std::optional(kToday));
+    EXPECT_EQ(dayOf("daily-2028-02-29"), std::optional(Day{20280229}));
     for (const char* key :
          {"daily-", "daily-2026-1-1", "daily-202611-2-6", "endless", "daily-2026-11-2x",
-          "daily-2026_11_26", "daily-2026-02-30", "daily-2026-13-01", "daily-0000-00-00"}) {
+          "daily-2026_11_26", "daily-2100-02-29", "daily-2026-13-01", "daily-0000-00-00"}) {
         EXPECT_EQ(dayOf(key), std::nullopt) << key;
     }
 }

@@ -4,13 +4,26 @@
 #include <apart/core/text_file.hpp>
 #include <apart/core/tuning.hpp>
 
-#include <chrono>
+#include <array>
 
 namespace apart {
 
 namespace {
 
 constexpr std::string_view kPrefix = "daily-";
+
+/// False for the 30th of February, for instance.
+bool isOfCalendar(Day date) {
+    constexpr std::array<Day, 12> kDays = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
+    const Day year = date / 10000;
+    const Day month = date / 100 % 100;
+    const Day day = date % 100;
+    if (year == 0 || month == 0 || month > kDays.size()) {
+        return false;
+    }
+    const bool leap = (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
+    return day > 0 && day <= kDays[month - 1] + (month == 2 && leap ? 1 : 0);
+}
 
 } // namespace
 
@@ -46,11 +59,8 @@ std::optional<Day> dayOf(std::string_view key) {
     if (digits.size() != 8 || !day || *day < 0 || dailyKey(static_cast<Day>(*day)) != key) {
         return std::nullopt;
     }
-    using namespace std::chrono;
-    const auto date = static_cast<unsigned>(*day);
-    const year_month_day real(year(static_cast<int>(date / 10000)), month(date / 100 % 100),
-                              std::chrono::day(date % 100));
-    return real.ok() && date >= 10000 ? std::optional(static_cast<Day>(date)) : std::nullopt;
+    const auto date = static_cast<Day>(*day);
+    return isOfCalendar(date) ? std::optional(date) : std::nullopt;
 }
 
 bool isDaily(const ReplayRun& run, Day day) {
