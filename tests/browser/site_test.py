@@ -55,7 +55,7 @@ class Site(Trial):
         self.expect(self.number("start.world.bodyCount()") == bodies + 1, "enter throws a ball")
         self.wait(f"start.world.stepCount() > {self.number('start.world.stepCount()') + 60}")
         self.browser.run("document.getElementById('undo').click();")
-        self.expect("bits" in self.number("document.getElementById('told').textContent"), "it goes back")
+        self.expect("exactly" in self.number("document.getElementById('told').textContent"), "it goes back")
         self.expect(self.number("start.world.bodyCount()") in (bodies, bodies + 1), "to a World it had")
         self.expect(not self.browser.run(NAMELESS), "each control of the start page has a name")
         self.expect(not self.browser.later(BROKEN), f"its links lead somewhere {self.browser.later(BROKEN)}")
@@ -63,6 +63,20 @@ class Site(Trial):
         self.expect(not self.browser.later(BROKEN), "the links of the list of pages lead somewhere")
         self.browser.open(self.address + "pages/manual.html")
         self.shot("manual")
+
+    def blocked(self):
+        """Without one of its files a page tells so."""
+        self.complain()
+        self.browser.command("Network.enable", {})
+        for page, files in (("", ("start.js", "kodo.js", "kodo.wasm")),
+                            ("sandbox/", ("sandbox.js", "wasm.js", "sandbox.wasm"))):
+            for name in files:
+                self.browser.command("Network.setBlockedURLs", {"urls": [f"*/{name}"]})
+                self.browser.open(self.address + page)
+                self.expect(self.wait("document.body.innerText.includes('did not load')", 10),
+                            f"without {name}, that is told")
+                self.browser.faults()  # those of the blocked file
+        self.browser.command("Network.setBlockedURLs", {"urls": []})
 
     def scene(self, name):
         self.browser.open(f"{self.address}sandbox/#{name.replace(' ', '%20')}")
@@ -229,6 +243,15 @@ class Site(Trial):
         self.browser.run(take.replace("arguments[0]", json.dumps(was.replace("seconds", "second"))))
         message = "document.getElementById('message').textContent"
         self.expect(self.wait(f"{message}.includes('wheel.toml:2: unknown key second')"), "a mistake has its line")
+        for content, reason in (("'x'.repeat(65e6)", "More than 64 MB"), ("''", "It is locked.")):
+            self.browser.run(f"""const file = new File([{content}], "wheel.toml");
+                if (file.size === 0) {{
+                    file.arrayBuffer = () => Promise.reject(new Error("It is locked."));
+                }}
+                document.dispatchEvent(Object.assign(new Event("drop", {{ cancelable: true }}),
+                                                     {{ dataTransfer: {{ files: [file] }} }}));""")
+            self.expect(self.wait(f"{message}.startsWith('wheel.toml cannot be read. {reason}')", 10),
+                        f"a file that cannot be read is told: {self.number(message)}")
         self.expect(self.number("!sandbox.state.file"), "and loses nothing")
         def loaded(content):
             self.browser.run(f"sandbox.state.paused = true; {message} = '';"
@@ -267,6 +290,42 @@ class Site(Trial):
         self.browser.run(script)
         self.browser.run("for (let i = 0; i < 30; ++i) sandbox.kodo.sandbox_step();")
         return self.number("`${sandbox.kodo.sandbox_hash(0)} ${sandbox.kodo.sandbox_hash(1)}`")
+
+    def links(self):
+        """A link that names nothing opens the first scene or stop, and a sentence tells so."""
+        message = "document.getElementById('message').textContent"
+        wrong = {"#%": "names no scene: %", "#%E0%A4%A": "names no scene", "#Nothing": "names no scene: Nothing",
+                 "#tour=Iterations%20against%20overlap&stop=abc": "has no stop abc"}
+        for link, sentence in wrong.items():
+            self.browser.open(f"{self.address}sandbox/{link}")
+            self.wait("window.sandbox.kodo.sandbox_tick() > 2")
+            self.expect(sentence in self.number(message), f"{link}: {self.number(message)}")
+        self.browser.run("location.hash = '#%';")
+        self.expect(self.wait(f"{message}.includes('names no scene: %')"), "a changed link is told as well")
+        self.browser.run("location.hash = '#Big%20wheel';")
+        self.expect(self.wait("document.title.startsWith('Big wheel')"), "and the next one is opened")
+
+    def abandoned(self):
+        """A pinch and a cancelled touch do not act; a wheel that turns to the side does not zoom."""
+        for rest in ("['pointerdown', 2], ['pointerup', 2], ['pointerup', 1]", "['pointercancel', 1]"):
+            self.scene("Pyramid")
+            bodies = self.number("sandbox.kodo.sandbox_bodies()")
+            self.browser.run(f"""sandbox.state.paused = true;
+                sandbox.state.hand = {DROP};
+                const canvas = document.getElementById("canvas");
+                canvas.setPointerCapture = () => {{}};
+                for (const [kind, pointerId] of [["pointerdown", 1], {rest}]) {{
+                    canvas.dispatchEvent(new PointerEvent(kind, {{ pointerId, clientX: 90 + 40 * pointerId,
+                        clientY: 200, pointerType: "touch" }}));
+                }}""")
+            self.expect(self.number("sandbox.kodo.sandbox_bodies()") == bodies, f"nothing is dropped by {rest}")
+        self.browser.run("document.getElementById('canvas').dispatchEvent("
+                         "new WheelEvent('wheel', { deltaX: 5, deltaY: 0 }));")
+        self.expect(self.number("document.getElementById('message').textContent") == "", "and nothing is told")
+        for width in (360, 1280):
+            self.browser.resize(width, 200)
+            self.expect(self.wait("document.getElementById('canvas').clientHeight >= 240", 5),
+                        f"a window of {width} x 200 has a picture")
 
     def touch(self):
         self.browser.resize(360, 640)
@@ -321,7 +380,8 @@ def refused(site):
 def main(page, pictures):
     with trial_of(Site, page, pictures) as site:
         for part in (site.start_page, site.examples, site.sandbox, site.verdict, site.panel, site.graphs, site.keyboard,
-                     site.tours, site.share, site.touch, site.frames):
+                     site.tours, site.share, site.links, site.touch, site.abandoned, site.frames,
+                     site.blocked):
             part()
     preferences = {"profile.default_content_setting_values.cookies": 2}
     with trial_of(Site, page, pictures, preferences=preferences) as without_storage:

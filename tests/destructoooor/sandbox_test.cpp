@@ -315,6 +315,38 @@ TEST(Sandbox, SavesAndLoadsTheWorld) {
     std::filesystem::remove(file);
 }
 
+/// Boxes in a row on the ground, up to x = 109 m.
+kodo::World rowOf(int boxes) {
+    kodo::World world({.gravity = {0, -10}});
+    world.add({.shape = kodo::Box{300, 2}, .position = {0, -1}, .type = kodo::BodyType::Static});
+    for (int i = 0; i < boxes; ++i) {
+        world.add({.shape = kodo::Box{1, 1}, .position = {1.1_r * Real(i), 0.5_r}});
+    }
+    return world;
+}
+
+TEST(Sandbox, ALoadedSceneKeepsAndShowsBodiesFarFromTheOrigin) {
+    const std::vector<std::byte> bytes = kodo::toBytes(rowOf(100));
+    Sandbox sandbox;
+    sandbox.take(bytes);
+    run(sandbox, 10);
+    EXPECT_EQ(sumsOf(sandbox.world()).bodies, 100u);
+    EXPECT_LT(sandbox.view().lower.x, -0.5);
+    EXPECT_GT(sandbox.view().upper.x, 109.4);
+    sandbox.restart();
+    run(sandbox, 10);
+    EXPECT_EQ(sumsOf(sandbox.world()).bodies, 100u);
+}
+
+TEST(Sandbox, ABodyFarOutsideOfWhatWasThereIsRemoved) {
+    Sandbox sandbox;
+    sandbox.take(kodo::toBytes(rowOf(2)));
+    sandbox.drop(Thing::Ball, {0, 75}, 1);
+    sandbox.drop(Thing::Ball, {0, 90}, 1);
+    sandbox.step();
+    EXPECT_EQ(sumsOf(sandbox.world()).bodies, 3u);
+}
+
 TEST(Dials, EachOneChangesWhatItNames) {
     for (const Dial& dial : dials()) {
         Sandbox sandbox = sandboxOf(dial.name == "contactPasses" || dial.name == "shockPasses"

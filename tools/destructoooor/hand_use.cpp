@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace destructoooor {
 
@@ -91,6 +92,40 @@ std::string use(Sandbox& sandbox, Hand hand, std::span<const Vec2> path, const D
         break;
     }
     return message;
+}
+
+void Stroke::press(Sandbox& sandbox, Hand hand, Vec2 at) {
+    hand_ = hand;
+    path_ = {at};
+    if (hand_ == Hand::Drag) {
+        sandbox.grab(at);
+    }
+}
+
+void Stroke::move(Sandbox& sandbox, Vec2 at) {
+    if (!isDown()) {
+        return;
+    }
+    if (hand_ == Hand::Drag) {
+        sandbox.pull(at);
+    } else if (kodo::length(at - path_.back()) > kPathStride) {
+        path_.push_back(at);
+    }
+}
+
+std::string Stroke::release(Sandbox& sandbox, const Dropped& dropped, Vec2 at) {
+    if (!isDown() || hand_ == Hand::Drag) {
+        abandon(sandbox);
+        return {};
+    }
+    std::vector<Vec2> path = std::exchange(path_, {});
+    path.push_back(at);
+    return use(sandbox, hand_, path, dropped);
+}
+
+void Stroke::abandon(Sandbox& sandbox) {
+    path_.clear();
+    sandbox.letGo();
 }
 
 void drawScene(const Sandbox& sandbox, kodo::DebugDraw& picture, const kodo::DrawOptions& look) {

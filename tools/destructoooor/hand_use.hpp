@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "sandbox.hpp"
 
@@ -54,6 +55,24 @@ inline constexpr Real kPathStride = Real(0.15); // m, between points of a drawn 
 /// the last point and no corner of a drawn outline. Nothing for Hand::Drag, which Sandbox::grab()
 /// and its siblings are for. Returns why not, or an empty text.
 std::string use(Sandbox& sandbox, Hand hand, std::span<const Vec2> path, const Dropped& dropped);
+
+/// A pointer from its press to its release, and what its hand does meanwhile. Points are in m.
+class Stroke {
+public:
+    void press(Sandbox& sandbox, Hand hand, Vec2 at);
+    void move(Sandbox& sandbox, Vec2 at);
+    /// The hand acts. Returns why it does nothing, or an empty text.
+    std::string release(Sandbox& sandbox, const Dropped& dropped, Vec2 at);
+    /// The hand lets go and does not act: the pointer is wanted for something else.
+    void abandon(Sandbox& sandbox);
+
+    bool isDown() const { return !path_.empty(); }
+    std::span<const Vec2> path() const { return path_; }
+
+private:
+    Hand hand_ = Hand::Drag; // that of the press
+    std::vector<Vec2> path_; // since the press
+};
 
 /// Draws water, the World, and the outlines of the second World.
 void drawScene(const Sandbox& sandbox, kodo::DebugDraw& picture, const kodo::DrawOptions& look);

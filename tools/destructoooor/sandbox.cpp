@@ -10,12 +10,22 @@ namespace destructoooor {
 
 namespace {
 
-constexpr Real kGone = 80;                // m from the origin; bodies beyond it are removed
+constexpr Real kGone = 80;                // m outside of what was there; bodies are removed
 constexpr std::size_t kMostBodies = 3000; // nothing is dropped beyond it
 constexpr Real kPull = 3000;              // N per kg of the body that the mouse holds
 
 bool isDynamic(const kodo::BodyView& body) {
     return body.type() == kodo::BodyType::Dynamic;
+}
+
+/// Where bodies are kept (m): around all that a World has.
+kodo::Aabb keptOf(const kodo::World& world) {
+    std::optional<kodo::Aabb> all;
+    for (const BodyId id : world.bodies()) {
+        const kodo::Aabb own = world[id].bounds();
+        all = all ? kodo::unite(*all, own) : own;
+    }
+    return all.value_or(kodo::Aabb{}).grown(kGone);
 }
 
 } // namespace
@@ -53,6 +63,7 @@ void Sandbox::begin(std::size_t scene, const kodo::StepSettings& settings) {
     scene_ = scene;
     Staged staged = stage(catalogue()[scene], settings);
     world_ = std::move(staged.world);
+    kept_ = keptOf(world_);
     ids_ = std::move(staged.ids);
     act_ = catalogue()[scene].act;
     adopted_ = false;
@@ -136,7 +147,7 @@ void Sandbox::rewind(std::uint64_t wanted) {
 void Sandbox::removeLost(kodo::World& world) const {
     for (const BodyId id : world.bodies()) {
         const kodo::BodyView body = std::as_const(world)[id];
-        if (isDynamic(body) && kodo::length(body.center()) > kGone) {
+        if (isDynamic(body) && !kept_.contains(body.center())) {
             world.remove(id);
         }
     }
@@ -269,6 +280,7 @@ void Sandbox::take(std::span<const std::byte> bytes) {
 
 void Sandbox::adopt(kodo::World world) {
     world_ = std::move(world);
+    kept_ = keptOf(world_);
     place_.reset();
     act_ = nullptr;
     adopted_ = true;

@@ -116,6 +116,7 @@ private:
     std::size_t scene_ = 0;
     std::optional<Place> place_;
     kodo::World world_;
+    kodo::Aabb kept_{}; // m; a body that leaves it is removed
     Ids ids_;
     decltype(Scene::act) act_ = nullptr; // of the scene; null after adopt()
     bool adopted_ = false;               // the World was loaded

@@ -100,14 +100,18 @@ void Workbench::take(const sf::Event& event) {
     case sf::Event::MouseButtonPressed:
         mouse_ = toFloat(event.mouseButton.x, event.mouseButton.y);
         if (event.mouseButton.button == sf::Mouse::Left) {
-            mouseDown(camera().toWorld(mouse_));
+            message.clear();
+            stroke_.press(sandbox, hand, camera().toWorld(mouse_));
         } else {
             panning_ = true;
         }
         break;
     case sf::Event::MouseButtonReleased:
         if (event.mouseButton.button == sf::Mouse::Left) {
-            mouseUp(camera().toWorld(toFloat(event.mouseButton.x, event.mouseButton.y)));
+            const Vec2 at = camera().toWorld(toFloat(event.mouseButton.x, event.mouseButton.y));
+            if (std::string why = stroke_.release(sandbox, dropped, at); !why.empty()) {
+                message = std::move(why);
+            }
         } else {
             panning_ = false;
         }
@@ -117,10 +121,8 @@ void Workbench::take(const sf::Event& event) {
         const Vec2 at = camera().toWorld(to);
         if (panning_) {
             middle_ += camera().toWorld(mouse_) - at;
-        } else if (down_ && hand == Hand::Drag) {
-            sandbox.pull(at);
-        } else if (down_ && kodo::length(at - path_.back()) > kPathStride) {
-            path_.push_back(at);
+        } else {
+            stroke_.move(sandbox, at);
         }
         mouse_ = to;
         break;
@@ -183,28 +185,6 @@ void Workbench::press(sf::Keyboard::Key key) {
     }
 }
 
-void Workbench::mouseDown(Vec2 at) {
-    down_ = true;
-    message.clear();
-    path_ = {at};
-    if (hand == Hand::Drag) {
-        sandbox.grab(at);
-    }
-}
-
-void Workbench::mouseUp(Vec2 at) {
-    if (!std::exchange(down_, false)) {
-        return;
-    }
-    if (hand == Hand::Drag) {
-        sandbox.letGo();
-    } else {
-        path_.push_back(at);
-        message = use(sandbox, hand, path_, dropped);
-    }
-    path_.clear();
-}
-
 void Workbench::stepOnce() {
     sandbox.step();
 }
@@ -221,11 +201,12 @@ void Workbench::draw(kodo_sfml::Painter& painter) const {
     const kodo_sfml::Camera view = camera();
     kodo_sfml::WorldPainter picture(painter, view);
     drawScene(sandbox, picture, look);
-    for (std::size_t i = 1; i < path_.size(); ++i) {
-        painter.line(view.toPixels(path_[i - 1]), view.toPixels(path_[i]), 2, kPathColor);
+    const std::span<const Vec2> path = stroke_.path();
+    for (std::size_t i = 1; i < path.size(); ++i) {
+        painter.line(view.toPixels(path[i - 1]), view.toPixels(path[i]), 2, kPathColor);
     }
-    if (down_ && path_.size() == 1 && hand != Hand::Drag && hand != Hand::Drop) {
-        painter.line(view.toPixels(path_[0]), mouse_, 2, kPathColor);
+    if (path.size() == 1 && hand != Hand::Drag && hand != Hand::Drop) {
+        painter.line(view.toPixels(path[0]), mouse_, 2, kPathColor);
     }
 }
 

@@ -5,7 +5,6 @@
 #include <kodo_sfml/world_painter.hpp>
 
 #include <string>
-#include <vector>
 
 #include "hand_use.hpp"
 
@@ -45,17 +44,14 @@ public:
 private:
     void arrive();
     void press(sf::Keyboard::Key key);
-    void mouseDown(Vec2 at);
-    void mouseUp(Vec2 at);
 
     kodo_sfml::Size pixels_{1280, 720};
     kodo_sfml::Rect free_{0, 0, 1280, 720};
-    Vec2 middle_{};          // m, centre of the view
-    Real height_ = 16;       // m, of the view
-    double owed_ = 0;        // s, not simulated yet
-    bool down_ = false;      // left button
-    bool panning_ = false;   // right or middle button
-    std::vector<Vec2> path_; // m, of the mouse since the left button went down
+    Vec2 middle_{};        // m, centre of the view
+    Real height_ = 16;     // m, of the view
+    double owed_ = 0;      // s, not simulated yet
+    bool panning_ = false; // right or middle button
+    Stroke stroke_;        // of the left button
     kodo_sfml::Pixel mouse_{};
 };
 

@@ -32,8 +32,10 @@ function resize() {
   }
 }
 
-/** A ball from the left that flies towards a point (m). */
-function shoot({ x, y }) {
+/** A ball from the left that flies at the place of the tower next to a point (m). */
+function shoot(point) {
+  const x = Math.min(Math.max(point.x, 0.5), 5.5);
+  const y = Math.min(Math.max(point.y, 0.5), 8.5);
   const from = { x: -13, y: 2 };
   const time = Math.max(0.3, Math.hypot(x - from.x, y - from.y) / 25); // s
   world.add({ shape: circle(0.6), position: from, density: 4, material: withFriction(0.5, 0.2),
@@ -86,7 +88,8 @@ document.getElementById("undo").onclick = () => {
   if (past.length > 0) {
     world.assign(past[0]);
     past.splice(1).forEach((each) => each.destroy());
-    told.textContent = `Step ${world.stepCount()}, with the bits it had.`;
+    const seconds = (world.stepCount() / kSteps).toFixed(1);
+    told.textContent = `Back at ${seconds} seconds: all is exactly as it was then.`;
   }
 };
 window.start = { get world() { return world; } }; // for tests

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstring>
 #include <exception>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -140,10 +141,12 @@ Sandbox& sandbox() {
     return one;
 }
 
+constexpr std::size_t kMostBytes = 64'000'000; // of a World from outside
+
 std::string text;             // the last one given to the page
 std::vector<float> figures;   // of the last picture
 std::vector<std::byte> bytes; // of a World
-std::vector<Vec2> path;       // m, of the pointer since its press
+Stroke stroke;                // of the pointer
 kodo::DrawOptions look{};
 Dropped dropped;
 
@@ -245,27 +248,24 @@ SANDBOX_EXPORT double sandbox_difference() {
     return static_cast<double>(sandbox().difference());
 }
 
-/// The pointer at a point (m): 0 pressed, 1 moved, 2 released. Returns why a hand does nothing.
+/// The pointer at a point (m): 0 pressed, 1 moved, 2 released, 3 abandoned, so that its hand does
+/// not act. Returns why a hand does nothing.
 SANDBOX_EXPORT const char* sandbox_pointer(int phase, std::size_t hand, float x, float y) {
     return told([&] {
-        const bool drags = static_cast<Hand>(hand) == Hand::Drag;
         const Vec2 at{x, y};
-        if (phase == 0) {
-            path = {at};
-        }
-        if (path.empty()) {
-            return;
-        }
-        if (drags) {
-            phase == 0 ? sandbox().grab(at) : phase == 1 ? sandbox().pull(at) : sandbox().letGo();
-        } else if (phase == 1 && kodo::length(at - path.back()) > kPathStride) {
-            path.push_back(at);
-        } else if (phase == 2) {
-            path.push_back(at);
-            text = use(sandbox(), static_cast<Hand>(hand), path, dropped);
-        }
-        if (phase == 2) {
-            path.clear();
+        switch (phase) {
+        case 0:
+            stroke.press(sandbox(), static_cast<Hand>(hand), at);
+            break;
+        case 1:
+            stroke.move(sandbox(), at);
+            break;
+        case 2:
+            text = stroke.release(sandbox(), dropped, at);
+            break;
+        default:
+            stroke.abandon(sandbox());
+            break;
         }
     });
 }
@@ -291,6 +291,7 @@ SANDBOX_EXPORT std::size_t sandbox_draw(float left, float bottom, float right, f
                                         float pixel) {
     Figures picture({{left, bottom}, {right, top}}, pixel);
     drawScene(sandbox(), picture, look);
+    const std::span<const Vec2> path = stroke.path();
     for (std::size_t i = 1; i < path.size(); ++i) {
         picture.line(path[i - 1], path[i], {.line = {255, 220, 90}});
     }
@@ -306,9 +307,14 @@ SANDBOX_EXPORT std::size_t sandbox_save() {
     bytes = kodo::toBytes(sandbox().world());
     return bytes.size();
 }
-/// Room for as many bytes of a World, for sandbox_take().
-SANDBOX_EXPORT void sandbox_reserve(std::size_t size) {
-    bytes.resize(size);
+/// Room for as many bytes of a World, for sandbox_take(). Returns why there is none, or "".
+SANDBOX_EXPORT const char* sandbox_reserve(std::size_t size) {
+    return told([&] {
+        if (size > kMostBytes) {
+            throw std::length_error("More than 64 MB are too many for this page.");
+        }
+        bytes.resize(size);
+    });
 }
 SANDBOX_EXPORT std::byte* sandbox_bytes() {
     return bytes.data();

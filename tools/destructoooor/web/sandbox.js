@@ -390,12 +390,13 @@ let panning = false;
 
 const placeOf = ({ offsetX, offsetY }) => ({ x: offsetX * window.devicePixelRatio,
                                              y: offsetY * window.devicePixelRatio });
+const [kPressed, kMoved, kReleased, kAbandoned] = [0, 1, 2, 3];
 function pointer(phase, { x, y }) {
   const sentence = textAt(kodo.sandbox_pointer(phase, state.hand, x, y));
   if (sentence !== "") {
     say(sentence, "error");
   }
-  if (phase === 2) {
+  if (phase >= kReleased) {
     refresh();
   }
 }
@@ -405,12 +406,12 @@ canvas.onpointerdown = (event) => {
   cursor = null;
   fingers.set(event.pointerId, placeOf(event));
   if (fingers.size > 1 && !panning) {
-    pointer(2, toWorld(...Object.values(placeOf(event))));
+    pointer(kAbandoned, { x: 0, y: 0 });
   }
   panning = fingers.size > 1 || event.button > 0;
   if (!panning) {
     const { x, y } = placeOf(event);
-    pointer(0, toWorld(x, y));
+    pointer(kPressed, toWorld(x, y));
   }
 };
 canvas.onpointermove = (event) => {
@@ -421,7 +422,7 @@ canvas.onpointermove = (event) => {
   const now = placeOf(event);
   fingers.set(event.pointerId, now);
   if (!panning) {
-    pointer(1, toWorld(now.x, now.y));
+    pointer(kMoved, toWorld(now.x, now.y));
     return;
   }
   view.x -= (now.x - before.x) / metre() / fingers.size;
@@ -438,13 +439,16 @@ canvas.onpointerup = canvas.onpointercancel = (event) => {
   }
   if (!panning) {
     const { x, y } = placeOf(event);
-    pointer(2, toWorld(x, y));
+    pointer(event.type === "pointerup" ? kReleased : kAbandoned, toWorld(x, y));
   }
   panning = panning && fingers.size > 0;
 };
 canvas.oncontextmenu = () => false;
 canvas.addEventListener("wheel", (event) => {
   event.preventDefault();
+  if (event.deltaY === 0) {
+    return; // it turns to the side
+  }
   if (state.hand === kDrop) {
     state.size = Math.min(4, Math.max(0.2, state.size - 0.1 * Math.sign(event.deltaY)));
     kodo.sandbox_setDropped(state.thing, state.size);
@@ -483,12 +487,12 @@ function canvasKey(event) {
     cursor.x += stride * kArrows[event.key][0];
     cursor.y += stride * kArrows[event.key][1];
     if (held) {
-      pointer(1, cursor);
+      pointer(kMoved, cursor);
     }
   } else if (event.key === "Enter") {
     cursor ??= { x: view.x, y: view.y };
     held = !held;
-    pointer(held ? 0 : 2, cursor);
+    pointer(held ? kPressed : kReleased, cursor);
     say(held ? "Pressed: arrows move, enter releases." : "Released.");
   } else if (event.key === "+" || event.key === "-") {
     zoom(event.key === "+" ? 0.9 : 1 / 0.9);
@@ -536,6 +540,19 @@ async function linkToWorld() {
   return `${location.href.split("#")[0]}#scene=${data}&name=${name}&view=${place}`;
 }
 
+/** Throws an error with a sentence if the program has no room for as many bytes. */
+function reserve(size) {
+  const sentence = textAt(kodo.sandbox_reserve(Math.min(size, 2 ** 32 - 1)));
+  if (sentence !== "") {
+    throw new Error(sentence);
+  }
+}
+/** Gives bytes to the program. */
+function give(bytes) {
+  reserve(bytes.length);
+  new Uint8Array(kodo.memory.buffer, kodo.sandbox_bytes(), bytes.length).set(bytes);
+}
+
 /** Takes the World of a link; throws an error with a sentence. */
 async function takeWorld(data) {
   let bytes = null;
@@ -546,8 +563,7 @@ async function takeWorld(data) {
   } catch {
     throw new Error("The link is damaged.");
   }
-  kodo.sandbox_reserve(bytes.length);
-  new Uint8Array(kodo.memory.buffer, kodo.sandbox_bytes(), bytes.length).set(bytes);
+  give(bytes);
   const sentence = textAt(kodo.sandbox_take());
   if (sentence !== "") {
     throw new Error(sentence);
@@ -581,9 +597,13 @@ function showLoaded(heading, name) {
 
 /** Takes a scene file; a mistake is told, and nothing is lost. */
 async function takeFile(file) {
-  const bytes = new Uint8Array(await file.arrayBuffer());
-  kodo.sandbox_reserve(bytes.length);
-  new Uint8Array(kodo.memory.buffer, kodo.sandbox_bytes(), bytes.length).set(bytes);
+  try {
+    reserve(file.size); // before a large file is read
+    give(new Uint8Array(await file.arrayBuffer()));
+  } catch (error) {
+    say(`${file.name} cannot be read. ${error.message}`, "error");
+    return;
+  }
   const mistakes = textAt(kodo.sandbox_takeText());
   if (mistakes !== "") {
     say(mistakes.replaceAll("the file", file.name), "error");
@@ -608,19 +628,36 @@ function saveFile() {
   say(`Saved as scene.toml.${lacking === "" ? "" : ` Not held: ${lacking}.`}`, "done");
 }
 
-/** Opens what the link of the page names. */
+/** The name of a scene that is all of a link. */
+function nameIn(link) {
+  try {
+    return decodeURIComponent(link);
+  } catch {
+    return link; // no name has such letters
+  }
+}
+
+/** Opens what the link of the page names; what it names in vain is told. */
 async function enter() {
   const wanted = location.hash;
   const asked = new URLSearchParams(wanted.slice(1));
   const data = asked.get("scene");
   const tour = registry.tours.findIndex(({ name }) => name === asked.get("tour"));
   if (tour >= 0) {
-    visit(tour, Math.trunc(asked.get("stop")) - 1);
+    const stop = Math.trunc(asked.get("stop") ?? 1);
+    visit(tour, stop >= 1 ? stop - 1 : 0);
+    if (!(stop >= 1 && stop <= registry.tours[tour].stops.length)) {
+      say(`The tour has no stop ${asked.get("stop")}.`, "error");
+    }
     return;
   }
-  const name = data === null ? decodeURIComponent(wanted.slice(1)) : asked.get("name");
-  open(Math.max(0, registry.scenes.findIndex((scene) => scene.name === name)));
+  const name = data === null ? nameIn(wanted.slice(1)) : asked.get("name");
+  const scene = registry.scenes.findIndex((each) => each.name === name);
+  open(Math.max(0, scene));
   if (data === null) {
+    if (scene < 0 && name !== "") {
+      say(`The link names no scene: ${name}. This is the first one.`, "error");
+    }
     return;
   }
   try {
