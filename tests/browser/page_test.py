@@ -60,9 +60,20 @@ class Game(Trial):
         self.draws(20)
         return self.state(1, player) == tick
 
+    def at_rest(self, player):
+        """The places (mm) of a player's paddle and of the other's, once no key of before moves them."""
+        last = None
+        for _ in range(100):
+            now = self.state(PADDLE, player), self.state(PADDLE, 1 - player)
+            if now == last:
+                break
+            last = now
+            self.draws(5)
+        return now
+
     def moves(self, key, player=0):
         """The way (mm) of a player's paddle while a key is held, and that of the other's."""
-        before = self.state(PADDLE, player), self.state(PADDLE, 1 - player)
+        before = self.at_rest(player)
         far = f"Math.abs(Module._gameState({PADDLE}, {player}) - {before[0]}) > 500"
         self.until(far, lambda: self.browser.hold(key, 0.3))
         return self.state(PADDLE, player) - before[0], self.state(PADDLE, 1 - player) - before[1]
