@@ -17,6 +17,8 @@ import urllib.request
 KEYS = {"enter": "\ue007", "escape": "\ue00c", "left": "\ue012", "right": "\ue014", "up": "\ue013",
         "down": "\ue015", "tab": "\ue004", "page down": "\ue00f", "page up": "\ue00e"}
 
+LONGEST = 240  # s, of a script of a test
+
 
 class Browser:
     """A Chromium, by the WebDriver protocol (W3C)."""
@@ -35,8 +37,10 @@ class Browser:
             f" --enable-unsafe-swiftshader --user-data-dir={profile} --window-size=1280,800"
         ).split()
         options = {"args": arguments, "binary": shutil.which("chromium"), "prefs": preferences or {}}
+        # A loaded machine without a graphics card draws a frame a second.
         wanted = {"capabilities": {"alwaysMatch": {
-            "goog:chromeOptions": options, "goog:loggingPrefs": {"browser": "ALL"}}}}
+            "timeouts": {"script": 1000 * LONGEST}, "goog:chromeOptions": options,
+            "goog:loggingPrefs": {"browser": "ALL"}}}}
         self.base += "/" + self.call("POST", "", wanted)["sessionId"]
 
     def call(self, method, path, body=None):
@@ -44,7 +48,7 @@ class Browser:
         request = urllib.request.Request(self.base + path, data=data, method=method)
         request.add_header("Content-Type", "application/json")
         try:
-            with urllib.request.urlopen(request, timeout=60) as answer:
+            with urllib.request.urlopen(request, timeout=LONGEST + 60) as answer:
                 return json.load(answer)["value"]
         except urllib.error.HTTPError as error:
             raise RuntimeError(f"{path}: {error.read()[:300]}") from error
