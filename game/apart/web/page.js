@@ -86,11 +86,11 @@ async function takeLevel(file) {
         return flash("A level is a file whose name ends in .toml.");
     }
     const name = file.name.slice(0, -".toml".length);
-    if (FS.analyzePath(builtIn + "/" + name + ".toml").exists) {
+    const tried = builtIn + "/" + name + ".toml";
+    if (FS.analyzePath(tried).exists) {
         return flash("The game has a level " + name + ": rename the file.", toRead);
     }
     try {
-        const tried = builtIn + "/" + name + ".toml"; // of no level of the game
         const bytes = new Uint8Array(await file.arrayBuffer());
         FS.writeFile(tried, bytes);
         const problem = Module.ccall("problemOfLevel", "string", ["string"], [tried]);
@@ -139,13 +139,14 @@ async function openFiles() {
     if (!window.indexedDB) {
         return "This browser keeps no files: scores and levels last as long as the page.";
     }
+    const own = await ownFiles(); // first: what another tab kept last is read, too
     FS.mount(IDBFS, {}, folder);
     const read = new Promise((done) => FS.syncfs(true, (error) => done(!error)));
     const waited = new Promise((done) => setTimeout(() => done(false), toRead));
     if (!await Promise.race([read, waited])) {
         return "This browser refuses to keep files: scores and levels last as long as the page.";
     }
-    if (!await ownFiles()) {
+    if (!own) {
         return "The game is open in another tab, which keeps the scores: this one keeps none.";
     }
     Module.keepFiles = () => new Promise((done) => FS.syncfs(false, (problem) => done(!problem)));
@@ -245,7 +246,7 @@ var Module = {
         // Private windows refuse storage: the files then last as long as the page.
         FS.mkdir(folder);
         addRunDependency("storage");
-        openFiles().then((problem) => {
+        openFiles().catch((error) => "Scores are not kept: " + error).then((problem) => {
             Module.notKept = problem;
             removeRunDependency("storage");
         });
