@@ -1077,6 +1077,8 @@ typedef struct kodo_StepStats {
     size_t bodies;         // awake bodies
     size_t contacts;       // visits of contacts by the solver, summed over all passes
     size_t joints;         // joints of awake bodies
+    uint32_t mostParts;    // parts of a substep, in the island that needed the most; up to 8
+    size_t refinedBodies;  // bodies of islands with more than one part
     uint64_t pairWork;     // pairs of nodes of bounds trees compared, all steps so far
     uint64_t changeVisits; // bodies and parts visited by calls that concern many, so far
 } kodo_StepStats;

@@ -205,6 +205,8 @@ TEST(CWorlds, RegionAndCountersAreThoseOfCpp) {
     const kodo::StepStats expected = kodo::stepStats(scene.other);
     EXPECT_EQ(expected.bodies, stats.bodies);
     EXPECT_EQ(expected.contacts, stats.contacts);
+    EXPECT_EQ(expected.mostParts, stats.mostParts);
+    EXPECT_EQ(expected.refinedBodies, stats.refinedBodies);
     EXPECT_EQ(expected.pairWork, stats.pairWork);
     std::uint64_t steps = 0;
     EXPECT_OK(kodo_stepCount(scene.world, &steps));

@@ -208,6 +208,26 @@ TEST(Measures, TheGapOfAJointIsThatBetweenItsAnchors) {
     EXPECT_FLOAT_EQ(measures.last().gap, 250); // mm
 }
 
+// Two boxes lie side by side; only the one under a heavy box pays for finer substeps.
+TEST(Measures, PartsOfASubstepAreThoseOfTheIslandThatNeedsTheMost) {
+    kodo::World world({.gravity = {0, -10}});
+    world.add({.shape = kodo::Box{40, 1}, .position = {0, -0.5_r}, .type = kodo::BodyType::Static});
+    world.add({.shape = kodo::Box{1, 1}, .position = {-5, 0.5_r}});
+    world.add({.shape = kodo::Box{1, 1}, .position = {5, 0.5_r}});
+    Measures measures;
+    world.step(1 / 60_r);
+    measures.sample(world, 10);
+    EXPECT_EQ(measures.last().parts, 1);
+    EXPECT_EQ(measures.last().refined, 0);
+    world.add({.shape = kodo::Box{1, 1}, .position = {5, 1.5_r}, .density = 1000});
+    for (int i = 0; i < 10; ++i) {
+        world.step(1 / 60_r);
+    }
+    measures.sample(world, 10);
+    EXPECT_EQ(measures.last().parts, 4);
+    EXPECT_EQ(measures.last().refined, 2);
+}
+
 // The first thing that is seen: it makes one stay.
 TEST(Sandbox, StartsWithTheDefaultSolver) {
     EXPECT_EQ(Sandbox().settings(), kodo::balanced());

@@ -107,6 +107,8 @@ TEST(MassRatio, OnlyHeavyLoadsRefineTheSubsteps) {
         Tower tower(ratio);
         support::run(tower.world, 60);
         EXPECT_EQ(visitsByContact(tower.world), visits) << ratio;
+        EXPECT_EQ(stepStats(tower.world).mostParts, visits / 10) << ratio;
+        EXPECT_EQ(stepStats(tower.world).refinedBodies, visits > 10 ? 11u : 0u) << ratio;
     }
     World space;
     BodyDef def = support::ballDef({}, 1);
@@ -117,6 +119,29 @@ TEST(MassRatio, OnlyHeavyLoadsRefineTheSubsteps) {
     space.step(support::kDt);
     ASSERT_EQ(space.collisions().size(), 1u);
     EXPECT_LE(stepStats(space).contacts, 20u);
+    EXPECT_EQ(stepStats(space).mostParts, 1u);
+}
+
+// The counters tell who pays: of two towers, the one below the heavy box. They end with the load,
+// in flight, and with the solver of the thesis, which divides no substep.
+TEST(MassRatio, CountersOfAStepNameTheIslandThatIsRefined) {
+    Tower tower(1000);
+    for (int i = 0; i < 10; ++i) {
+        tower.world.add(support::boxDef({20, Real(i) + Real(0.5)}, 1, 1));
+    }
+    support::run(tower.world, 60);
+    EXPECT_EQ(stepStats(tower.world).mostParts, 4u);
+    EXPECT_EQ(stepStats(tower.world).refinedBodies, 11u);
+    World other = tower.world;
+    other.setSettings(withShocks());
+    other.step(support::kDt);
+    EXPECT_EQ(stepStats(other).mostParts, 1u);
+    EXPECT_EQ(stepStats(other).refinedBodies, 0u);
+    EXPECT_GT(stepStats(other).contacts, 0u);
+    tower.world[tower.heavy].setPosition({0, 100});
+    support::run(tower.world, 2);
+    EXPECT_EQ(stepStats(tower.world).mostParts, 1u);
+    EXPECT_EQ(stepStats(tower.world).refinedBodies, 0u);
 }
 
 // Records and warm starts refer to whole substeps. The floor carries all the weight; each of five

@@ -62,7 +62,10 @@ void Measures::sample(const kodo::World& world, kodo::Real gravity) {
             now.gap = std::max(now.gap, static_cast<float>(1000 * world.jointState(id).length));
         }
     }
-    now.visits = static_cast<float>(kodo::stepStats(world).contacts);
+    const kodo::StepStats work = kodo::stepStats(world);
+    now.visits = static_cast<float>(work.contacts);
+    now.parts = static_cast<float>(work.mostParts);
+    now.refined = static_cast<float>(work.refinedBodies);
     now.stages = stages_;
     now.step = std::accumulate(stages_.begin(), stages_.end(), 0.0f);
     stages_ = {};

@@ -20,6 +20,8 @@ struct Sample {
     float awake = 0;    // bodies
     float gap = 0;      // mm, the widest between the anchors of a revolute or fixed joint
     float visits = 0;   // of contacts by the solver: cost without a clock
+    float parts = 1;    // of a substep, in the island that needed the most
+    float refined = 0;  // bodies of islands with more than one part
     std::array<float, kodo::kStepStageNames.size()> stages{}; // us
     float step = 0;                                           // us, their sum
 };
@@ -30,7 +32,7 @@ struct Measure {
     std::string_view unit;
     float Sample::*value;
 };
-inline constexpr std::array<Measure, 7> kMeasures = {{
+inline constexpr std::array<Measure, 9> kMeasures = {{
     {"Time", "us", &Sample::step},
     {"Deepest overlap", "mm", &Sample::overlap},
     {"Widest gap of a joint", "mm", &Sample::gap},
@@ -38,6 +40,8 @@ inline constexpr std::array<Measure, 7> kMeasures = {{
     {"Momentum", "kg m/s", &Sample::momentum},
     {"Awake", "bodies", &Sample::awake},
     {"Visits of contacts", "", &Sample::visits},
+    {"Parts of a substep, most of an island", "", &Sample::parts},
+    {"In islands with more parts", "bodies", &Sample::refined},
 }};
 /// Value of a sample: one of kMeasures, then time (us) of one of kStepStageNames.
 constexpr float valueOf(const Sample& sample, std::size_t which) {

@@ -17,10 +17,14 @@ class World;
 
 /// Work of the last step.
 struct StepStats {
-    std::size_t bodies = 0;     // awake bodies
-    std::size_t contacts = 0;   // visits of contacts by the solver, summed over all passes
-    std::size_t joints = 0;     // joints of awake bodies
-    std::uint64_t pairWork = 0; // pairs of nodes of bounds trees compared, all steps so far
+    std::size_t bodies = 0;   // awake bodies
+    std::size_t contacts = 0; // visits of contacts by the solver, summed over all passes
+    std::size_t joints = 0;   // joints of awake bodies
+    /// Parts into which the soft solver divided each substep of the island that needed the most,
+    /// up to 8: for heavy bodies on light ones, and for very large forces.
+    std::uint32_t mostParts = 1;
+    std::size_t refinedBodies = 0; // bodies of islands with more than one part
+    std::uint64_t pairWork = 0;    // pairs of nodes of bounds trees compared, all steps so far
     /// Bodies and parts that calls visited which concern many: setRegion(), forces on all, and
     /// welds whose parts need more room in the next step. Also contacts outside the region that
     /// calls and steps visited. Of all calls so far.

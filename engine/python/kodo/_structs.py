@@ -552,6 +552,8 @@ class StepStats(Values):
         ("bodies", c_size_t),
         ("contacts", c_size_t),
         ("joints", c_size_t),
+        ("mostParts", c_uint32),
+        ("refinedBodies", c_size_t),
         ("pairWork", c_uint64),
         ("changeVisits", c_uint64),
     ]

@@ -102,6 +102,8 @@ class StepStats(NamedTuple):
     bodies: int  #: awake bodies
     contacts: int  #: visits of contacts by the solver, summed over all passes
     joints: int  #: joints of awake bodies
+    most_parts: int  #: parts of a substep, in the island that needed the most; up to 8
+    refined_bodies: int  #: bodies of islands with more than one part
     pair_work: int  #: pairs of nodes of bounds trees compared, all steps so far
     change_visits: int  #: bodies and parts visited by calls that concern many, so far
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <kodo/step_stats.hpp>
+
 #include "base/worker_team.hpp"
 #include "contacts/contact_set.hpp"
 #include "joints/joint_set.hpp"
@@ -20,6 +22,7 @@ struct StepInput {
     Real dt; // s
     WorkerTeam& team;
     std::uint64_t count; // steps of the World so far; numbers the passes of the thesis's solver
+    StepStats& work;     // what the solver did
 
     template <typename Solver>
     const Solver& solver() const {

@@ -386,6 +386,7 @@ void Propagation::solve(const StepInput& step) {
     for (std::uint32_t slot = 0; slot < store.size(); ++slot) {
         contactSet.manifoldChanged(slot);
     }
+    step.work.contacts = visits_;
 }
 
 } // namespace KODO_PRECISION

@@ -45,9 +45,6 @@ public:
     /// substep, and with impulses. Bodies get their displacements.
     void solve(const StepInput& step);
 
-    /// Visits of contacts by passes in the last step: a measure of its cost.
-    std::size_t visits() const { return visits_; }
-
 private:
     static constexpr std::uint32_t kNone = ~std::uint32_t{};
     enum class Stage : std::uint8_t { Impacts, Contacts, Shock, Separation, SeparationShock };

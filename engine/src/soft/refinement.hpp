@@ -43,6 +43,7 @@ public:
     std::span<const std::uint8_t> levels() const {
         return refined_.empty() ? std::span<const std::uint8_t>() : levels_;
     }
+    std::size_t size() const { return refined_.size(); } // bodies with a level above 0
     /// Contacts that approach by a slop in a whole substep, and slower ones.
     std::span<const std::uint32_t> arriving() const { return arriving_; }
     std::uint32_t levelOf(std::uint32_t body) const { return refined_.empty() ? 0 : levels_[body]; }

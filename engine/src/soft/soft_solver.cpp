@@ -135,7 +135,6 @@ void SoftSolver::solve(const StepInput& step) {
             contactSet.lanes().forgetLanes();
         }
         moveFreely(bodies, bodies.awake, step.dt);
-        visits_ = 0;
     } else {
         solveHeld(step);
     }
@@ -153,7 +152,7 @@ void SoftSolver::refine(const Bodies& bodies, ContactSet& contactSet) {
 
 /// solve() for a step in which some bodies have contacts or joints.
 void SoftSolver::solveHeld(const StepInput& step) {
-    const auto& [bodies, contactSet, joints, settings, tolerances, dt, team, count] = step;
+    const auto& [bodies, contactSet, joints, settings, tolerances, dt, team, count, work] = step;
     const SoftSettings& soft = step.solver<SoftSettings>();
     const Real hertz =
         std::min(soft.contactHertz, kMostCycles * static_cast<Real>(soft.substeps) / dt);
@@ -173,11 +172,12 @@ void SoftSolver::solveHeld(const StepInput& step) {
     joints.boundBias(contactSet, tolerances.slop,
                      soft.pushSpeed * tolerances.slop * Tolerances::kSlopsPerUnit);
     moveFree(bodies, dt);
-    visits_ = 0;
+    work.refinedBodies = refinement_.size();
     manifoldRefresh_.begin(dt);
     for (std::uint32_t level = 0; level < Refinement::kLevels; ++level) {
         if (!groups_[level].bound.empty()) {
             solveGroup(step, level);
+            work.mostParts = std::uint32_t(1) << level;
         }
     }
     moveKinematic(bodies, dt);
@@ -189,7 +189,7 @@ void SoftSolver::solveHeld(const StepInput& step) {
 
 /// Solves the islands of a level.
 void SoftSolver::solveGroup(const StepInput& step, std::uint32_t level) {
-    const auto& [bodies, contactSet, joints, settings, tolerances, dt, team, count] = step;
+    const auto& [bodies, contactSet, joints, settings, tolerances, dt, team, count, work] = step;
     const SoftSettings& soft = step.solver<SoftSettings>();
     ContactBlocks& blocks = contactSet.lanes();
     const int parts = 1 << level;
@@ -226,7 +226,7 @@ void SoftSolver::solveGroup(const StepInput& step, std::uint32_t level) {
     runSubsteps(run, substeps);
     revolutes_.end(joints);
     joints.scaleImpulses(static_cast<Real>(parts));
-    visits_ += (2 * blocks.size(level)) * static_cast<std::size_t>(substeps);
+    work.contacts += (2 * blocks.size(level)) * static_cast<std::size_t>(substeps);
 }
 
 /// Gathers the blocks of a group for its passes, after lanes have changed.

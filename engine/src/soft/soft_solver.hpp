@@ -39,8 +39,6 @@ public:
     /// Sizes the arrays by body, so that no first use costs a step as much as all bodies.
     void makeRoom(const Bodies& bodies);
     void solve(const StepInput& step);
-    /// Visits of contacts in the last step.
-    std::size_t visits() const { return visits_; }
 
 private:
     using Velocity = LoadRelease::Velocity;
@@ -116,7 +114,6 @@ private:
     std::vector<std::uint8_t> touched_;
     std::vector<std::uint16_t> overlapCount_; // by body: number of overlaps beyond four slops
     std::uint8_t anyCrowded_ = 0;             // some body has too many of these
-    std::size_t visits_ = 0;
     std::vector<Velocity> before_;    // by body: with the forces of the substep, without contacts
     std::vector<std::uint32_t> free_; // bodies without contacts and joints in this step
     std::vector<std::uint32_t> kinematic_; // moving kinematic bodies with contacts or joints

@@ -11,7 +11,7 @@ inline namespace KODO_PRECISION {
 namespace {
 
 constexpr std::uint32_t kMagic = 0x6f646f4b; // "Kodo"
-constexpr std::uint32_t kFormat = 21;        // increases with every change of visitState()
+constexpr std::uint32_t kFormat = 22;        // increases with every change of visitState()
 constexpr std::size_t kChecksumSize = sizeof(std::uint64_t);
 constexpr std::size_t kBytesPerBody = 256; // as of most Worlds; more bytes cost a copy of them
 constexpr std::size_t kBytesPerContact = 384;
@@ -43,8 +43,8 @@ void header(StateStream& stream) {
 
 void WorldImpl::visitState(StateStream& stream, OwnFields ownFields) {
     auto& [guard, settings, tolerances, stepCount, count, roomFor, bodies, flagBlocks, fields,
-           contacts, impacts, softSolver, propagation, contactVisits, changeVisits, continuous,
-           sleep, joints, broken, frozen, region, lastGeometry] = *this;
+           contacts, impacts, softSolver, propagation, work, changeVisits, continuous, sleep,
+           joints, broken, frozen, region, lastGeometry] = *this;
     // Left out is what the next step computes before use: solvers, continuous collision, caches.
     kodo::visitState(stream, settings);
     kodo::visitState(stream, tolerances);
@@ -61,8 +61,9 @@ void WorldImpl::visitState(StateStream& stream, OwnFields ownFields) {
     joints.visitState(stream, bodies, tolerances.unit());
     contacts.visitState(stream, bodies);
     sleep.visitState(stream, bodies);
-    stream.as<std::uint64_t>(contactVisits);
-    stream(stepCount, broken, frozen);
+    stream.as<std::uint64_t>(work.contacts);
+    stream.as<std::uint64_t>(work.refinedBodies);
+    stream(work.mostParts, stepCount, broken, frozen);
     region.visitState(stream, bodies);
     if (!stream.reads()) {
         return;

@@ -115,7 +115,8 @@ void WorldImpl::step(Real dt, const StepOptions& options) {
     }
     updateAwake();
     WorkerTeam team(bodies_.awake.size() >= kMinBodiesForHelp ? options.executor : nullptr);
-    WorldStep(*this, {bodies_, contacts_, joints_, settings_, tolerances_, dt, team, stepCount_})
+    WorldStep(*this,
+              {bodies_, contacts_, joints_, settings_, tolerances_, dt, team, stepCount_, work_})
         .run(options.listener);
     ++stepCount_;
 }

@@ -73,7 +73,11 @@ public:
     const Tolerances& tolerances() const { return tolerances_; }
 
     StepStats stats() const {
-        return {bodies_.awake.size(), contactVisits_, joints_.awakeCount(),
+        return {bodies_.awake.size(),
+                work_.contacts,
+                joints_.awakeCount(),
+                work_.mostParts,
+                work_.refinedBodies,
                 contacts_.candidates().work(),
                 changeVisits_ + contacts_.candidates().bounds().moves() +
                     region_.parked().visits()};
@@ -118,7 +122,7 @@ private:
     ImpactSolver impacts_;
     SoftSolver softSolver_;
     Propagation propagation_;
-    std::size_t contactVisits_ = 0;
+    StepStats work_;                 // of the solver, in the last step
     std::uint64_t changeVisits_ = 0; // see StepStats
     ContinuousCollision continuous_;
     SleepSystem sleep_;

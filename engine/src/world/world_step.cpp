@@ -148,21 +148,20 @@ void WorldStep::finishMoves() {
     contactSet.candidates().coverPoses(bodies, tolerances);
 }
 
-void WorldStep::forAwake(void (*work)(Bodies&, std::span<const std::uint32_t>)) {
+void WorldStep::forAwake(void (*move)(Bodies&, std::span<const std::uint32_t>)) {
     team.forEach(bodies.awake.size(), kBodiesPerPiece, [&](std::size_t first, std::size_t last) {
-        work(bodies, std::span<const std::uint32_t>(bodies.awake).subspan(first, last - first));
+        move(bodies, std::span<const std::uint32_t>(bodies.awake).subspan(first, last - first));
     });
 }
 
 void WorldStep::solve() {
+    work = {};
     if (std::holds_alternative<PropagationSettings>(settings.solver)) {
         world_.propagation_.solve(*this);
-        world_.contactVisits_ = world_.propagation_.visits();
         return;
     }
     world_.impacts_.solve(*this);
     world_.softSolver_.solve(*this);
-    world_.contactVisits_ = world_.softSolver_.visits();
 }
 
 void WorldStep::freezeUnsoundForces() {

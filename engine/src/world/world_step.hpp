@@ -15,7 +15,7 @@ public:
     void run(StageListener* listener);
 
 private:
-    void forAwake(void (*work)(Bodies&, std::span<const std::uint32_t>));
+    void forAwake(void (*move)(Bodies&, std::span<const std::uint32_t>));
     void makeRoom();
     void wakeIslands(bool arrivals);
     bool updateAwake();
