@@ -41,6 +41,59 @@ TEST(Panel, TellsTimeNextMedalAndHonours) {
     EXPECT_TRUE(rig.picture().says("0:02"));
 }
 
+/// Colour of the first text that begins so, in the panel or left of it.
+Color colorOf(const RecordingCanvas& canvas, const std::string& text, bool inPanel) {
+    for (const Stroke& stroke : canvas.strokes()) {
+        if (stroke.text.starts_with(text) && (stroke.place.x > layout::kRight) == inPanel) {
+            return stroke.color;
+        }
+    }
+    ADD_FAILURE() << text << " is not told";
+    return {};
+}
+
+// Regression: the prize was that of a won game, and honours and ways that only a won game has were
+// lit.
+TEST(Panel, OfALostGameAgreesWithItsResult) {
+    Level level = *glassLevel("Ten blocks", {1, 2, 3, 5, 6, 8, 9, 11, 12, 13});
+    level.ways = {{"by any blow", ""}};
+    StageDef def = StageRig::playing();
+    def.levels = {std::make_shared<const Level>(level)};
+    MedalMarks marks{level.name, digestOf(level), {100, 2000, 30000}};
+    marks.fewHits = 1000;
+    def.marks = {marks};
+    StageRig rig(std::move(def));
+    makePoints(rig);
+    EXPECT_EQ(colorOf(rig.picture(), "1 000 hits", true), palette::kAccent);
+    for (int i = 0; i < 60 * 120 && rig.stage.screen() == Screen::Playing; ++i) {
+        Signals aside;
+        aside.leftHeld = true;
+        aside.commands = {Command::Launch};
+        rig.frame(aside);
+    }
+    const Session& session = rig.stage.session();
+    ASSERT_EQ(session.game().result(), Result::Lost);
+    ASSERT_EQ(rig.stage.screen(), Screen::Over);
+    EXPECT_GT(session.game().counts().prize(), 0);
+    EXPECT_EQ(session.statistics().points.sum(), session.game().score());
+    const RecordingCanvas& canvas = rig.picture();
+    EXPECT_FALSE(canvas.says(grouped(session.game().counts().prize())));
+    EXPECT_EQ(hudLookOf(rig.stage).ways, 0u);
+    for (const bool inPanel : {true, false}) {
+        EXPECT_EQ(colorOf(canvas, "1 000 hits", inPanel), palette::kQuiet);
+    }
+    EXPECT_EQ(colorOf(canvas, "cleared", false), palette::kQuiet);
+}
+
+TEST(Results, NamesOfHonoursAreLitIfTheyAreWon) {
+    StageRig rig(StageRig::playing());
+    playToTheEnd(rig);
+    ASSERT_EQ(rig.stage.session().game().result(), Result::Won);
+    const RecordingCanvas& canvas = rig.picture();
+    EXPECT_EQ(colorOf(canvas, "cleared", false), palette::kAccent);
+    EXPECT_EQ(colorOf(canvas, "8 in one combo", false), palette::kQuiet);
+}
+
 // Regression: it was ENDLESS 1 there.
 TEST(Panel, ADailyRunHasItsNameInItsReplayToo) {
     Level level = *glassLevel("Row", {7});

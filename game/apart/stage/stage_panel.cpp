@@ -46,7 +46,8 @@ void takeMarks(HudLook& look, const Session& session, const MedalMarks& marks) {
     }
     if (marks.fewHits > 0) {
         look.honours.push_back(
-            {countText(marks.fewHits, "hit") + " at most", game.counts().hits <= marks.fewHits});
+            {countText(marks.fewHits, "hit") + " at most",
+             game.result() != Result::Lost && game.counts().hits <= marks.fewHits});
     }
     if (marks.oneFall > 0) {
         look.honours.push_back({fmt::format("{} in one fall", marks.oneFall),
@@ -72,7 +73,9 @@ HudLook hudLookOf(const Stage& stage) {
     if (marks != nullptr) {
         takeMarks(look, session, *marks);
     }
-    look.ways = session.statistics().way.ways(stage.session().game().level());
+    if (session.game().result() != Result::Lost) { // a way counts if the level is won
+        look.ways = session.statistics().way.ways(session.game().level());
+    }
     look.keys = stage.records_.profile().bindings;
     look.muted = stage.records_.profile().audible().sound == 0;
     if (session.isShow()) {

@@ -88,7 +88,8 @@ void paintLives(Canvas& canvas, const Game& game) {
 /// The best blow so far, and its prize.
 void paintBlow(Canvas& canvas, const Game& game) {
     paintPair(canvas, "BEST BLOW", countText(game.counts().bestBlow, "block"), Real(9.2));
-    paintPair(canvas, "PRIZE", grouped(game.counts().prize()), Real(8.5), palette::kAccent);
+    paintPair(canvas, "PRIZE", grouped(payable(game)), Real(8.5),
+              game.result() == Result::Lost ? palette::kQuiet : palette::kAccent);
 }
 
 void paintProgress(Canvas& canvas, const Game& game) {

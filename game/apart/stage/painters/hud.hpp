@@ -44,6 +44,11 @@ void paintBar(Canvas& canvas, const Aabb& where, Real share, Color color);
 /// A question to the player, if there is one; `bottom`: lower edge, m.
 void paintQuestion(Canvas& canvas, std::string_view question, Real bottom);
 
+/// The prize that a game pays, or would pay now: none once it is lost.
+inline std::int32_t payable(const Game& game) {
+    return game.result() == Result::Lost ? 0 : game.counts().prize();
+}
+
 /// 12345 -> "12 345".
 std::string grouped(int number);
 

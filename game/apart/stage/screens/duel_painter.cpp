@@ -95,8 +95,9 @@ void paintHits(Canvas& canvas, const Panel& at, const Game& game) {
                 small(palette::kQuiet, Real(1.7), Align::Right));
     canvas.text(fmt::format("BEST BLOW  {}", game.counts().bestBlow), {at.left2(), Real(3.6)},
                 small(palette::kQuiet, half - Real(0.2)));
-    canvas.text("prize " + grouped(game.counts().prize()), {at.right2(), Real(3.6)},
-                small(palette::kAccent, half, Align::Right));
+    canvas.text("prize " + grouped(payable(game)), {at.right2(), Real(3.6)},
+                small(game.result() == Result::Lost ? palette::kQuiet : palette::kAccent, half,
+                      Align::Right));
     const char* word = game.force() == Force::Pull   ? "PULL"
                        : game.force() == Force::Push ? "PUSH"
                                                      : "PULL / PUSH";

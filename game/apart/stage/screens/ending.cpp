@@ -17,16 +17,10 @@ namespace {
 
 constexpr Real kRoom = 22; // m, of a line
 
-void addHonours(CampaignTally& tally, const Level& level, const Best& best,
-                const MedalMarks* marks) {
-    tally.mostHonours += static_cast<int>(honourNames(level, marks).size());
-    tally.honours += (best.cleared ? 1 : 0) + (best.unhurt ? 1 : 0) + (best.chain ? 1 : 0);
-    tally.honours += marks != nullptr && marks->fewHits > 0 && best.fewHits ? 1 : 0;
-    tally.honours += marks != nullptr && marks->oneFall > 0 && best.oneFall ? 1 : 0;
-    tally.honours += level.keep >= 0 && best.kept ? 1 : 0;
-    for (std::size_t i = 0; i < level.ways.size(); ++i) {
-        tally.honours += isWayIn(best.ways, i) ? 1 : 0;
-    }
+void addHonours(CampaignTally& tally, const HonoursLook& look) {
+    const std::vector<bool> won = honoursWon(look);
+    tally.mostHonours += static_cast<int>(won.size());
+    tally.honours += static_cast<int>(std::count(won.begin(), won.end(), true));
 }
 
 std::string fallText(const Game& game, const RunStatistics& run) {
@@ -48,8 +42,8 @@ CampaignTally tallyOf(const LevelList& levels, const Campaign& campaign, const P
         tally.medals += medals;
         tally.mostMedals += mostMedalsOf(level, marks);
         tally.pure += profile.bestOf(Mode::Pure, level.name).cleared ? 1 : 0;
-        addHonours(tally, level, profile.bestOf(profile.mode, level.name),
-                   marksFor(level.name, marks));
+        addHonours(tally,
+                   {profile.bestOf(profile.mode, level.name), level, marksFor(level.name, marks)});
     }
     return tally;
 }

@@ -165,30 +165,47 @@ std::vector<std::string> honourNames(const Level& level, const MedalMarks* marks
     return names;
 }
 
-void paintHonours(Canvas& canvas, Vec2 place, Vec2 step, Real size, const HonoursLook& look) {
+std::vector<bool> honoursWon(const HonoursLook& look) {
     const auto& [best, level, marks] = look;
-    const auto colorOf = [](bool won) {
-        return won ? palette::kAccent : faded(palette::kQuiet, 0.35f);
-    };
-    paintCleared(canvas, place, size, colorOf(best.cleared));
-    paintUnhurt(canvas, place + step, size, colorOf(best.unhurt));
-    paintChain(canvas, place + Real(2) * step, size, colorOf(best.chain));
-    place += Real(3) * step;
+    std::vector<bool> won = {best.cleared, best.unhurt, best.chain};
     if (marks != nullptr && marks->fewHits > 0) {
-        paintFewHits(canvas, place, size, colorOf(best.fewHits));
-        place += step;
+        won.push_back(best.fewHits);
     }
     if (marks != nullptr && marks->oneFall > 0) {
-        paintOneFall(canvas, place, size, colorOf(best.oneFall));
-        place += step;
+        won.push_back(best.oneFall);
     }
     if (level.keep >= 0) {
-        paintKept(canvas, place, size, colorOf(best.kept));
-        place += step;
+        won.push_back(best.kept);
     }
     for (std::size_t i = 0; i < level.ways.size(); ++i) {
-        paintWay(canvas, place, size, colorOf(isWayIn(best.ways, i)), i == 0);
-        place += step;
+        won.push_back(isWayIn(best.ways, i));
+    }
+    return won;
+}
+
+void paintHonours(Canvas& canvas, Vec2 place, Vec2 step, Real size, const HonoursLook& look) {
+    const auto& [best, level, marks] = look;
+    const std::vector<bool> won = honoursWon(look);
+    std::size_t painted = 0;
+    auto paint = [&, at = place](auto painter) mutable {
+        const Color color = won[painted++] ? palette::kAccent : faded(palette::kQuiet, 0.35f);
+        painter(canvas, at, size, color);
+        at += step;
+    };
+    paint(&paintCleared);
+    paint(&paintUnhurt);
+    paint(&paintChain);
+    if (marks != nullptr && marks->fewHits > 0) {
+        paint(&paintFewHits);
+    }
+    if (marks != nullptr && marks->oneFall > 0) {
+        paint(&paintOneFall);
+    }
+    if (level.keep >= 0) {
+        paint(&paintKept);
+    }
+    for (std::size_t i = 0; i < level.ways.size(); ++i) {
+        paint([i](auto&&... all) { paintWay(all..., i == 0); });
     }
 }
 
@@ -214,18 +231,20 @@ void paintResults(Canvas& canvas, const ResultsLook& look) {
     paintScoreLines(canvas, look);
     const MedalMarks* marks = marksFor(game.level().name, look.marks);
     const Best best = look.statistics.bestOf(game, marks); // honours of this game alone
+    const HonoursLook honours{best, game.level(), marks};
+    const std::vector<bool> won = honoursWon(honours);
     const std::vector<std::string> names = honourNames(game.level(), marks);
     const Vec2 step{std::min(Real(3.9), kHonoursRoom / static_cast<Real>(names.size())), 0};
     const Vec2 first = Vec2{0, Real(6.8)} - static_cast<Real>(names.size() - 1) / 2 * step;
-    paintHonours(canvas, first, step, Real(0.42), {best, game.level(), marks});
+    paintHonours(canvas, first, step, Real(0.42), honours);
     const Real room = step.x - Real(0.3);
     for (std::size_t i = 0; i < names.size(); ++i) {
         Vec2 place = first + static_cast<Real>(i) * step - Vec2{0, Real(0.85)};
         const std::vector<std::string> lines = wrappedInto(2, names[i], 15, 22);
         const Real height = evenHeight(canvas, lines, Real(0.38), room);
+        const Color color = won[i] ? palette::kAccent : palette::kQuiet;
         for (const std::string& line : lines) {
-            canvas.text(line, place,
-                        {height, palette::kQuiet, Typeface::Plain, Align::Middle, room});
+            canvas.text(line, place, {height, color, Typeface::Plain, Align::Middle, room});
             place.y -= Real(0.54);
         }
     }

@@ -28,11 +28,13 @@ struct HonoursLook {
 };
 
 /// Paints the honours of a level, `step` apart: three, and those that it and its marks offer.
-/// Honours not won yet are dim.
+/// Those that are not won are dim.
 void paintHonours(Canvas& canvas, Vec2 place, Vec2 step, Real size, const HonoursLook& look);
 inline constexpr std::size_t kUsualHonours = 3; // each level has them
 /// Names of the honours, the usual ones first.
 std::vector<std::string> honourNames(const Level& level, const MedalMarks* marks);
+/// Which of these honours are won, in the same order.
+std::vector<bool> honoursWon(const HonoursLook& look);
 
 /// Paints a medal: bronze has one dot, silver two, gold three. Nothing for Medal::None.
 void paintMedal(Canvas& canvas, Vec2 middle, Real size, Medal medal);
