@@ -131,6 +131,55 @@ TEST(Endings, ClosingAndRestartingEnterAResultThatIsNotEnteredYet) {
     }
 }
 
+/// One frame with a press: of a key, or of the mouse on the first item.
+void pressOnce(StageRig& rig, std::optional<Command> command) {
+    Signals signals;
+    if (command) {
+        signals.commands = {*command};
+    } else {
+        signals.clicked = true;
+        signals.pointerNow = rig.stage.menu().place(0).center();
+    }
+    rig.frame(signals);
+}
+
+// Regression: a serve or a pull at the end of a game went on to the next one.
+TEST(Endings, AResultLetsNothingBeChosenAtFirst) {
+    for (const std::optional<Command> command :
+         {std::optional(Command::Launch), std::optional(Command::Confirm),
+          std::optional<Command>()}) {
+        StageRig rig(StageRig::playing());
+        playToTheEnd(rig);
+        ASSERT_EQ(rig.stage.screen(), Screen::Over);
+        int presses = 0;
+        for (; presses < 300 && rig.stage.screen() == Screen::Over; ++presses) {
+            pressOnce(rig, command);
+        }
+        EXPECT_EQ(rig.stage.screen(), Screen::Playing);
+        EXPECT_NEAR(presses / 60.0, Outcome::kReading, 0.05);
+    }
+}
+
+TEST(Endings, AResultLeavesItsChoiceToKeysThatPulledAndPushed) {
+    StageRig rig(StageRig::playing());
+    playToTheEnd(rig);
+    pressOnce(rig, Command::Down);
+    EXPECT_EQ(rig.stage.menu().chosen(), 0u);
+    rig.press(Command::Down);
+    EXPECT_EQ(rig.stage.menu().chosen(), 1u);
+}
+
+// These keys mean nothing else.
+TEST(Endings, AResultTakesNextRestartAndBackAtOnce) {
+    for (const Command command : {Command::Next, Command::Restart, Command::Back}) {
+        StageRig rig(StageRig::playing());
+        playToTheEnd(rig);
+        ASSERT_EQ(rig.stage.screen(), Screen::Over);
+        pressOnce(rig, command);
+        EXPECT_NE(rig.stage.screen(), Screen::Over);
+    }
+}
+
 TEST(Screens, EachEndlessRunHasASeedOfItsOwn) {
     StageDef def = StageRig::twoLevels();
     std::vector<std::pair<std::uint32_t, std::uint32_t>> made; // seed, number

@@ -78,7 +78,14 @@ struct StageRig {
     void frame(const Signals& signals = {}, double seconds = 1.0 / 60) {
         stage.advance(seconds, signals, speaker);
     }
+    /// A result lets nothing be chosen at first.
+    void untilChoice() {
+        while (!stage.takesChoice()) {
+            frame();
+        }
+    }
     void press(Command command) {
+        untilChoice();
         Signals signals;
         signals.commands = {command};
         frame(signals);
@@ -89,6 +96,7 @@ struct StageRig {
         }
     }
     void click(Vec2 place) {
+        untilChoice();
         Signals signals;
         signals.pointer = signals.pointerNow = place;
         signals.clicked = true;

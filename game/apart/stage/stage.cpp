@@ -126,6 +126,7 @@ void Stage::next() {
         games_.nextOfRun();
         toGame();
     } else if (map_.isLastBoss(games_.level())) {
+        over_.seconds = 0;
         open(Screen::Ending, endingMenu());
     } else {
         begin(std::min(games_.level() + 1, def_.levels.size() - 1), true);

@@ -113,6 +113,10 @@ public:
     const Session& session() const { return games_.session(); }
     const Records& records() const { return records_; }
     const Menu& menu() const { return menu_; }
+    /// False while a result, which has just appeared, lets nothing be chosen.
+    bool takesChoice() const {
+        return (screen_ != Screen::Over && screen_ != Screen::Ending) || over_.isRead();
+    }
     const LevelMap& levelMap() const { return map_; }
     const EditorScreen* editor() const { return editor_.get(); } // nullptr: none is open
     const Duel* duel() const { return duel_.get(); }             // nullptr: there was none

@@ -293,8 +293,13 @@ void Stage::takeMenu(const Signals& signals, Speaker& speaker) {
     if (signals.clicked && pages_.help && screen_ == Screen::Help) {
         return pages_.help->turn();
     }
+    Signals heard = signals;
+    if (!takesChoice()) {
+        heard.commands.clear();
+        heard.clicked = false;
+    }
     const std::size_t before = menu_.chosen();
-    const std::optional<MenuOutcome> outcome = menu_.take(signals);
+    const std::optional<MenuOutcome> outcome = menu_.take(heard);
     if (outcome || menu_.chosen() != before) {
         chirp(speaker, records_.profile().audible().sound, outcome.has_value());
     }

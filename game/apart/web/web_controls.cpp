@@ -149,6 +149,9 @@ void WebControls::capture(bool on) {
     captured_ = on;
     keys_.setInGame(on);
     buttons_ = {};
+    if (finger_) {
+        finger_->moved = true; // it taps on no other screen than that on which it was put down
+    }
     if (!on) {
         emscripten_exit_pointerlock();
     }

@@ -20,9 +20,13 @@ struct Sharing {
 
 /// What the result screen adds to the end of a game.
 struct Outcome {
-    double seconds = 0;               // since it appeared, or the name of a boss
+    /// s until an item can be chosen: what is pressed earlier was meant for the game.
+    static constexpr double kReading = 0.7;
+
+    double seconds = 0;               // since it appeared, or the ending, or the name of a boss
     std::vector<std::string> notes{}; // sentences for the player
 
+    bool isRead() const { return seconds >= kReading; }
     /// C copies a link to the game; of a daily run its result in a line before it. G writes a film
     /// of the fall behind it. True if one of them was pressed.
     bool take(const Signals& signals, const Games& games, const Sharing& sharing);
