@@ -346,6 +346,12 @@ class Site(Trial):
         self.draws(30)
         self.shot("dragged")
 
+    def home(self):
+        self.browser.open(self.address + "apart/index.html")
+        self.wait("Module._gameState(0) === 0")
+        self.browser.run("document.getElementById('home').click();")
+        self.expect(self.wait("window.start.world.stepCount() > 20"), "the game leads back to the start page")
+
     def frames(self):
         self.browser.resize(1280, 720)
         self.scene("Pyramid")
@@ -380,8 +386,8 @@ def refused(site):
 def main(page, pictures):
     with trial_of(Site, page, pictures) as site:
         for part in (site.start_page, site.examples, site.sandbox, site.verdict, site.panel, site.graphs, site.keyboard,
-                     site.tours, site.share, site.links, site.touch, site.abandoned, site.frames,
-                     site.blocked):
+                     site.tours, site.share, site.links, site.touch, site.abandoned, site.home,
+                     site.frames, site.blocked):
             part()
     preferences = {"profile.default_content_setting_values.cookies": 2}
     with trial_of(Site, page, pictures, preferences=preferences) as without_storage:
