@@ -3,6 +3,7 @@
 #include <apart/core/assets.hpp>
 #include <apart/stage/canvas/layout.hpp>
 #include <apart/stage/painters/block_painter.hpp>
+#include <apart/stage/painters/field_painter.hpp>
 #include <apart/stage/painters/hud.hpp>
 #include <apart/stage/painters/level_preview.hpp>
 
@@ -76,6 +77,38 @@ TEST(Building, FreeBlocksAreDrawnToTheirEdges) {
     EXPECT_GT(gapOf(keyOfFree(0) - 1, box), Real(0.02)) << "those of the grid keep a gap";
     const kodo::Shape wedge = kodo::Polygon{{{-1, Real(-0.5)}, {1, Real(-0.5)}, {1, Real(0.5)}}};
     EXPECT_LT(gapOf(keyOfFree(0), wedge), Real(1e-4));
+}
+
+/// Places of the bolts of all straps, two of each.
+std::vector<Vec2> boltsIn(const Play& play) {
+    RecordingCanvas canvas;
+    paintMounts(canvas, {play.game(), play.juice(), PoseBlend{}});
+    std::vector<Vec2> bolts;
+    for (const Stroke& stroke : canvas.strokes()) {
+        if (stroke.kind == Stroke::Kind::Disc) {
+            bolts.push_back(stroke.place);
+        }
+    }
+    return bolts;
+}
+
+TEST(Building, StrapsHoldWhatIsMountedAndNothingElse) {
+    const auto level = shipped("castle");
+    Play play(level, 1, Mode::Standard, Settings{});
+    SilentSpeaker silence;
+    for (int i = 0; i < 250; ++i) { // all has appeared
+        play.tick({}, silence);
+    }
+    std::size_t bolts = 0;
+    for (const Block& block : play.game().blocks()) {
+        const kodo::BodyView body = play.game().world()[block.body];
+        const Real width = body.bounds().extent().x;
+        bolts += block.support != Support::Mounted ? 0u : width > Real(0.9) ? 4u : 2u;
+    }
+    EXPECT_EQ(bolts, 4u * 4 + 2u * 2 + 4u) << "foundations, hooks and the block with a power";
+    EXPECT_EQ(boltsIn(play).size(), bolts);
+    const Play ledges(shipped("arch"), 1, Mode::Standard, Settings{});
+    EXPECT_EQ(boltsIn(ledges).size(), 6u * 2) << "ledges: the blocks have not appeared yet";
 }
 
 /// Places of all texts in the field.

@@ -220,6 +220,7 @@ bool isBuilt(const Moment& moment, Vec2 place) {
 void paintField(Canvas& canvas, const Moment& moment) {
     paintForces(canvas, moment);
     paintWaterBehind(canvas, moment);
+    paintMounts(canvas, moment);
     canvas.setDisjoint(true);
     paintBlocks(canvas, moment, false);
     paintLinks(canvas, moment);

@@ -36,6 +36,7 @@ bool isBuilt(const Moment& moment, Vec2 place);
 void paintForces(Canvas& canvas, const Moment& moment);      // wind, wells, the paddle's field
 void paintWaterBehind(Canvas& canvas, const Moment& moment); // behind what is in it
 void paintWaterBefore(Canvas& canvas, const Moment& moment); // its surface, and what runs out
+void paintMounts(Canvas& canvas, const Moment& moment);      // behind what they hold
 void paintLinks(Canvas& canvas, const Moment& moment);       // joints
 void paintObstructions(Canvas& canvas, const Moment& moment);
 void paintGround(Canvas& canvas, const ObstructionDef& ground); // with an outline
