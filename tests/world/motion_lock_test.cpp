@@ -138,7 +138,9 @@ TEST(MotionLock, AnImpactTowardsTheCentreHardlySpinsALockMoveBody) {
 }
 
 // Two kinematic bodies pinch a plank with kLockMove at unequal distances from its centre. Its
-// impact impulses must not grow from one to the next within a step.
+// impact impulses must not grow from one to the next within a step. Between walls that close, an
+// elastic plank gains 2 x 3.5 m/s by the lever arm with each bounce, 70 rad/s at 0.1 m; one bounce
+// and its friction are allowed in a step.
 //
 // Bound of an impulse: a soft contact holds 27 times the impulse that stops 6.5 m/s at 64 times the
 // mass of the plank. The 6.5 m/s are 3.5 m/s of the walls and 3 m/s of push speed. The factor 4
@@ -162,8 +164,9 @@ TEST(MotionLock, ImpulsesOnAPinchedLockMoveBodyStayBounded) {
             def.velocity = {0, 3};
             world.add(def);
             for (int step = 0; step < 60; ++step) {
+                const Real before = std::abs(world[plank].angularVelocity());
                 world.step(kDt);
-                EXPECT_LT(std::abs(world[plank].angularVelocity()), 300) << step;
+                EXPECT_LT(std::abs(world[plank].angularVelocity()), before + 100) << step;
                 for (const CollisionRecord& record : world.collisions()) {
                     ASSERT_LT(record.maxImpulse, Real(27 * 64 * 6.5 * 4)) << step;
                 }

@@ -146,12 +146,12 @@ KODO_LANES_INLINE bool seeFaces(SeparationBoundLanes& separationBound, const Con
 }
 
 bool hasFaces(const ConvexShape& shape) {
-    return shape.kind == ConvexKind::Polygonal || shape.isLine();
+    return !shape.isRound();
 }
 
-/// True if a shape has corners, and no more than View stores.
+/// True if a shape has no more corners than View stores.
 bool isFew(const ConvexShape& shape) {
-    return !shape.isPlane() && shape.vertices.size() <= ConvexShape::kFew;
+    return shape.vertices.size() <= ConvexShape::kFew;
 }
 
 /// The path with A and B swapped.
@@ -168,10 +168,11 @@ SeparationBound separationBoundOf(const ConvexShape& shapeA, const Transform& a,
                                   const RelativePath& path) {
     SeparationBoundLanes aside;
     if (isFew(shapeA) && isFew(shapeB)) {
-        if (hasFaces(shapeA) && seeFaces(aside, shapeA, viewOf(a, shapeB, b, path), path)) {
+        if (hasFaces(shapeA) && !shapeB.isPlane() &&
+            seeFaces(aside, shapeA, viewOf(a, shapeB, b, path), path)) {
             return aside.best();
         }
-        if (hasFaces(shapeB) &&
+        if (hasFaces(shapeB) && !shapeA.isPlane() &&
             seeFaces(aside, shapeB, viewOf(b, shapeA, a, reversed(path)), path)) {
             return aside.best();
         }

@@ -5,12 +5,11 @@
 
 #include "collide/chain_line.hpp"
 #include "collide/one_sided.hpp"
-#include "collide/round.hpp"
-#include "collide/sat.hpp"
 #include "collide/separation_bound.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
@@ -89,16 +88,15 @@ bool discsMeet(MovingShape a, MovingShape b, Real target, Real from) {
     return false;
 }
 
-/// Conservative advancement from the fraction t of the step on, with a given function for the
-/// bound.
-template <typename Look>
-Real advance(MovingShape a, MovingShape b, Real target, Real t, Look lookAhead) {
+/// Conservative advancement from the fraction t of the step on.
+Real advance(MovingShape a, MovingShape b, Real target, Real t) {
     Real most = 1;
     for (int round = 0; round < kMostRounds; ++round) {
         RelativePath path = relativePathFrom(a, b, t, target);
         const Real left = path.length;
         path.length = std::min(left, most);
-        const SeparationBound separationBound = lookAhead(a.sweep.at(t), b.sweep.at(t), path);
+        const SeparationBound separationBound =
+            separationBoundOf(a.shape, a.sweep.at(t), b.shape, b.sweep.at(t), path);
         if (separationBound.passes(path)) {
             t += path.length;
             if (most >= left && t >= 1) {
@@ -115,67 +113,80 @@ Real advance(MovingShape a, MovingShape b, Real target, Real t, Look lookAhead) 
     return t;
 }
 
-/// The same with one axis at a time.
-template <typename Measure>
-Real advanceAlong(MovingShape a, MovingShape b, Real target, Real from, Measure separationAt) {
-    return advance(a, b, target, from,
-                   [&](const Transform& at, const Transform& bt, const RelativePath& path) {
-                       const Separation now = separationAt(at, bt);
-                       SeparationBound separationBound;
-                       separationBound.see(now.axis, now.distance, path);
-                       return separationBound;
-                   });
+/// The half-plane behind a line, on the other side of a normal of it.
+ConvexShape behind(const ConvexShape& line, Vec2 normal) {
+    ConvexShape plane;
+    plane.kind = ConvexKind::HalfPlane;
+    plane.vertices.push_back(line.vertices[0]);
+    plane.normals.push_back(normal);
+    return plane;
 }
 
-/// Separation from the infinite line through a one-sided line, along its normal.
-Separation aboveLine(const ConvexShape& line, const Transform& a, const ConvexShape& other,
-                     const Transform& b) {
-    const Transform ab = between(a, b);
-    const Vec2 normal = line.normals[1];
-    const std::size_t lowest = supportVertex(other, unrotate(ab.rotation, -normal), 0);
-    return {a.rotation * normal,
-            dot(normal, ab * other.vertices[lowest] - line.vertices[0]) - other.radius};
+/// A disc about a corner of a shape.
+ConvexShape discOf(Vec2 corner, Real radius) {
+    ConvexShape disc;
+    disc.vertices.push_back(corner);
+    disc.radius = radius;
+    disc.boundingRadius = length(corner) + radius;
+    return disc;
 }
 
-/// Separation from one vertex of the line.
-Separation fromVertex(const ConvexShape& line, std::size_t end, const Transform& a,
-                      const ConvexShape& other, const Transform& b) {
-    if (other.isRound()) {
-        const Vec2 arm = between(a, b) * other.vertices[0] - line.vertices[end];
-        return {a.rotation * normalize(arm), length(arm) - other.radius};
-    }
-    const RoundAxis axis = nearestToCenter(other, between(b, a) * line.vertices[end]);
-    return {-(b.rotation * axis.normal), axis.distance};
+/// True if a corner is over the line, between its ends.
+bool isOver(MovingShape line, MovingShape other, Vec2 corner, Real t) {
+    const Vec2 along = line.shape.vertices[1] - line.shape.vertices[0];
+    const Vec2 place = between(line.sweep.at(t), other.sweep.at(t)) * corner;
+    const Real at = dot(along, place - line.shape.vertices[0]);
+    return at >= 0 && at <= lengthSquared(along);
 }
 
-/// A shape in front first touches the line along the line's normal, or at a vertex along a
-/// direction that the line owns there. All other impacts belong to neighbours, or the shape passes
-/// through.
+/// A shape in front first touches the line with a corner, along the line's normal, or at a vertex
+/// along a direction that the line owns there. All other impacts belong to neighbours, or the shape
+/// passes through. The lowest corner may touch a neighbour and leave while another one comes down;
+/// one that comes by less than a slop slides on.
 Real impactOnOneSided(MovingShape line, MovingShape other, Real target, Real from) {
-    const auto above = [&](const Transform& a, const Transform& b) {
-        return aboveLine(line.shape, a, other.shape, b);
+    const ConvexShape below = behind(line.shape, line.shape.normals[1]);
+    const auto heightOf = [&](const ConvexShape& shape) {
+        return separation(below, line.sweep.at(from), shape, other.sweep.at(from)).distance;
     };
-    if (above(line.sweep.at(from), other.sweep.at(from)).distance > target * Real(1.5)) {
-        const Real t = advanceAlong(line, other, target, from, above);
-        if (t > 1 || collideOneSided(line.shape, line.sweep.at(t), other.shape, other.sweep.at(t),
-                                     {8 * target, 0, kAhead * target})
-                             .count > 0) {
-            return t;
+    const auto comesTo = [&](const ConvexShape& corner, Real height) {
+        return advance({below, line.sweep}, {corner, other.sweep}, height, from);
+    };
+    const Real lowest = heightOf(other.shape);
+    bool comes = lowest <= target * Real(1.5);
+    Real first = kNever;
+    for (const Vec2 vertex : other.shape.vertices) {
+        const ConvexShape corner = discOf(vertex, other.shape.radius);
+        const Real height = heightOf(corner);
+        if (height <= target * Real(1.5)) {
+            continue;
+        }
+        if (height > lowest) {
+            const Real deep = comesTo(corner, -2 * kAhead * target);
+            if (deep > 1 || !isOver(line, other, vertex, deep)) {
+                continue;
+            }
+        }
+        const Real t = comesTo(corner, target);
+        comes = comes || t <= 1;
+        if (t < first && collideOneSided(line.shape, line.sweep.at(t), other.shape,
+                                         other.sweep.at(t), {8 * target, 0, kAhead * target})
+                                 .count > 0) {
+            first = t;
         }
     }
-    Real first = kNever;
+    if (!comes) {
+        return kNever;
+    }
     for (const std::size_t end : {std::size_t(0), std::size_t(1)}) {
         if (!ownsVertex(line.shape, end)) {
             continue;
         }
-        const auto vertex = [&](const Transform& a, const Transform& b) {
-            return fromVertex(line.shape, end, a, other.shape, b);
-        };
-        const Real t = advanceAlong(line, other, target, from, vertex);
+        const ConvexShape vertex = discOf(line.shape.vertices[end], 0);
+        const Real t = advance({vertex, line.sweep}, other, target, from);
         if (t < first) {
             const Transform a = line.sweep.at(t);
-            const Vec2 direction = unrotate(a.rotation, vertex(a, other.sweep.at(t)).axis);
-            first = ownsDirection(line.shape, end, direction) ? t : first;
+            const Vec2 axis = separation(vertex, a, other.shape, other.sweep.at(t)).axis;
+            first = ownsDirection(line.shape, end, unrotate(a.rotation, axis)) ? t : first;
         }
     }
     return first;
@@ -190,34 +201,20 @@ std::optional<ConvexShape> sideTowards(MovingShape line, MovingShape other) {
         return std::nullopt;
     }
     const Vec2 middle = between(line.sweep.start, other.sweep.start) * other.shape.middle;
-    const bool behind = heightOverJoints(line.shape, middle, 0) < 0;
-    return facingTo(line.shape, line.shape.normals[behind ? 0 : 1]);
-}
-
-/// Height (m) of a point of another body over a line, along a normal in the line's frame.
-Real heightOver(Vec2 normal, const ConvexShape& line, const Transform& a, Vec2 point,
-                const Transform& b) {
-    return dot(normal, between(a, b) * point - line.vertices[0]);
+    const bool isBehind = heightOverJoints(line.shape, middle, 0) < 0;
+    return facingTo(line.shape, line.shape.normals[isBehind ? 0 : 1]);
 }
 
 /// Fraction of the step after which a point of another body has come down to slop / 4 (m) over a
 /// line, between its ends; to -slop if it starts lower than `slop`; kNever if it does not.
 Real timeOfPoint(MovingShape line, Vec2 normal, MovingShape other, Vec2 point, Real slop) {
-    const auto above = [&](const Transform& a, const Transform& b) {
-        return Separation{a.rotation * normal, heightOver(normal, line.shape, a, point, b)};
-    };
-    const Real start = above(line.sweep.start, other.sweep.start).distance;
-    if (start <= -slop) {
-        return kNever;
-    }
-    const Real t = advanceAlong(line, other, start > slop ? slop / 4 : -slop, 0, above);
-    if (t > 1) {
-        return kNever;
-    }
-    const Vec2 place = between(line.sweep.at(t), other.sweep.at(t)) * point;
-    const Vec2 along = line.shape.vertices[1] - line.shape.vertices[0];
-    const Real at = dot(along, place - line.shape.vertices[0]);
-    return at >= 0 && at <= lengthSquared(along) ? t : kNever;
+    const ConvexShape below = behind(line.shape, normal);
+    const ConvexShape disc = discOf(point, 0);
+    const Real start = separation(below, line.sweep.start, disc, other.sweep.start).distance;
+    const Real height = start > slop ? slop / 4 : -slop;
+    const Real t =
+        start > -slop ? advance({below, line.sweep}, {disc, other.sweep}, height, 0) : kNever;
+    return t <= 1 && isOver(line, other, point, t) ? t : kNever;
 }
 
 /// True if a one-sided line faces away from a plane.
@@ -251,10 +248,7 @@ Real timeOfImpact(const ConvexShape& shapeA, const MotionPath& a, const ConvexSh
     if (shapeB.oneSided && !shapeA.isPlane()) {
         return impactOnOneSided(movingB, movingA, target, from);
     }
-    return advance(movingA, movingB, target, from,
-                   [&](const Transform& at, const Transform& bt, const RelativePath& path) {
-                       return separationBoundOf(shapeA, at, shapeB, bt, path);
-                   });
+    return advance(movingA, movingB, target, from);
 }
 
 Real timeBehind(const ConvexShape& line, const MotionPath& a, const ConvexShape& other,
@@ -275,7 +269,8 @@ Real timeBehind(const ConvexShape& line, const MotionPath& a, const ConvexShape&
         if (other.isLine() && ownsVertex(line, end)) {
             const Vec2 vertex = line.vertices[end];
             const Vec2 side = other.normals[1];
-            const bool isBelow = heightOver(side, other, b.start, vertex, a.start) < 0;
+            const Vec2 seen = between(b.start, a.start) * vertex;
+            const bool isBelow = dot(side, seen - other.vertices[0]) < 0;
             first =
                 std::min(first, timeOfPoint(above, isBelow ? -side : side, ground, vertex, slop));
         }

@@ -259,11 +259,11 @@ void ContinuousCollision::findTime(const Step& step, std::uint32_t i, Real from)
     const Real motion = motionOf(step.bodies, contact);
     const Real gap = gapOf(step.bodies, step.contactSet, i, step.tolerances);
     const Real slop = step.tolerances.slop;
-    const bool unheld = gap <= slop && gap > -slop && step.settings.has(Feature::Restitution) &&
+    const bool unheld = gap <= slop && gap > -slop / 2 && step.settings.has(Feature::Restitution) &&
                         isUnheld(step.bodies, step.contactSet, i, slop);
-    const auto departure =
-        unheld ? departureTime(step.bodies, step.contactSet, i, kStopShort * slop, slop)
-               : std::nullopt;
+    auto departure = unheld
+                         ? departureTime(step.bodies, step.contactSet, i, kStopShort * slop, slop)
+                         : std::nullopt;
     const auto timeFrom = [&](Real apart) {
         const auto target = unheld && !departure
                                 ? std::optional(-slop)
@@ -279,11 +279,14 @@ void ContinuousCollision::findTime(const Step& step, std::uint32_t i, Real from)
     if (time >= 1) {
         time = timeThroughLine(step, contact, motion);
     }
-    // The pair practically touches corner to corner, where the manifold has a gap or no point. The
-    // next step would have no contact for it. Stopping it here would leave it hanging in the air,
-    // even if it separates.
-    if (gap > step.tolerances.slop && time * motion <= step.tolerances.slop / 32) {
+    // The pair practically touches where the manifold has a gap or no point. The next step would
+    // have no impact for it. Stopping it here would leave it hanging in the air, even if it
+    // separates.
+    const auto hangs = [&] { return time * motion <= slop / 32; };
+    if ((gap > slop || unheld) && hangs()) {
+        departure.reset();
         time = timeFrom(0);
+        time = unheld && hangs() ? Real(1) : time;
     }
     if (contact.hidden && time < 1 && !meetsSurface(step, contact, time)) {
         time = 1;

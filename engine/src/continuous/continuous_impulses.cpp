@@ -24,14 +24,6 @@ void pushAlong(Vec2& push, Vec2 normal, Vec2 way) {
     }
 }
 
-/// Overlap (m) from which the impact of the next step still separates two parts to the correct
-/// side.
-Real harmlessOverlap(const Bodies& bodies, const ContactKey& key) {
-    return std::min(bodies.convex(key.bodyA, key.partA).coreRadius,
-                    bodies.convex(key.bodyB, key.partB).coreRadius) /
-           2;
-}
-
 /// Way (m, per whole step) of a point at `arm` (m) that goes along with a kinematic body for the
 /// rest of the step, straight to its place at the end.
 Vec2 carriedBy(const BodyVelocity& motion, Vec2 arm, Real time) {
@@ -122,9 +114,7 @@ void ContinuousCollision::bounceOff(const Step& step, std::uint32_t slot, Real t
 
 /// A body that meets a kinematic body within the step is carried along with it for the rest of the
 /// step, as it keeps its place against a static body: the next step then has the same contact in
-/// both cases. A body that meets a pushed one is pushed along, but not into a static body. With
-/// restitution it is faster by its impact; it is carried only where the kinematic body would be
-/// past it by then, or recedes.
+/// both cases. A body that meets a pushed one is pushed along, but not into a static body.
 void ContinuousCollision::takePushedDisplacement(const Step& step, const Contact& contact,
                                                  Real time) {
     const ContactKey& key = contact.key;
@@ -141,12 +131,6 @@ void ContinuousCollision::takePushedDisplacement(const Step& step, const Contact
         return step.bodies.locked(body) ? carriedBy(step.bodies.motion[body], arm, time)
                                         : push_[body];
     };
-    const Vec2 wayA = wayOf(key.bodyA, b.position - a.position);
-    const Vec2 wayB = wayOf(key.bodyB, a.position - b.position);
-    const Real overlap = (1 - time) * dot(normal, wayA - wayB);
-    if (contact.bounces && overlap >= 0 && overlap <= harmlessOverlap(step.bodies, key)) {
-        return;
-    }
     const auto take = [&](std::uint32_t body, std::uint32_t other, Vec2 away, Vec2 way) {
         if (step.bodies.locked(body)) {
             return;
@@ -160,8 +144,9 @@ void ContinuousCollision::takePushedDisplacement(const Step& step, const Contact
             pushAlong(push, away, way);
         }
     };
-    take(key.bodyA, key.bodyB, -normal, wayB);
-    take(key.bodyB, key.bodyA, normal, wayA);
+    const Vec2 arm = b.position - a.position;
+    take(key.bodyA, key.bodyB, -normal, wayOf(key.bodyB, -arm));
+    take(key.bodyB, key.bodyA, normal, wayOf(key.bodyA, arm));
 }
 
 } // namespace KODO_PRECISION

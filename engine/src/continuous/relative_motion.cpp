@@ -81,8 +81,9 @@ Real gapOf(const Bodies& bodies, const ContactSet& contactSet, std::uint32_t slo
 
 bool isUnheld(const Bodies& bodies, const ContactSet& contactSet, std::uint32_t slot, Real slop) {
     const Contact& contact = contactSet.contacts()[slot];
-    if (!contact.bounces || contactSet.store().read(slot).expired() ||
-        (contact.manifold.count < 2 && !mayGainPoint(bodies, contact))) {
+    const Real turns = bodies.extent[contact.key.bodyA].rotationReach +
+                       bodies.extent[contact.key.bodyB].rotationReach; // else no other point comes
+    if (!contact.bounces || contactSet.store().read(slot).expired() || turns == 0) {
         return false;
     }
     const auto& impulse = contactSet.store().numbers(slot).impulse;

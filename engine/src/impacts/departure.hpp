@@ -79,8 +79,13 @@ inline Departure departureOf(const Bodies& bodies, ContactStore& store, std::uin
         Real& least = lane.separation(i) <= slop ? touching : beyond;
         least = std::min(least, dot(n, apart));
     }
+    const auto wayOf = [&](std::uint32_t body) { // m, of a point by rotation
+        return std::abs(bodies.motion[body].angularVelocity) * bodies.extent[body].rotationReach *
+               dt;
+    };
+    const bool turns = wayOf(bodyA) + wayOf(bodyB) > slop; // another point may come
     const Real leaving = pressing + (hit ? Real(0) : kDeparts * slop / dt);
-    if (bounces && touching >= leaving && (beyond < pressing || mayGainPoint(bodies, contact)) &&
+    if (bounces && touching >= leaving && (beyond < pressing || turns) &&
         isAlone(bodies, store, slot, slop)) {
         return Departure::BetweenImpacts;
     }

@@ -256,7 +256,8 @@ bool SleepSystem::wakeRunOver(Bodies& bodies, ContactSet& contacts, const Tolera
         const BodyVelocity& motion = bodies.motion[wall];
         const Real way = length(motion.deltaPosition) +
                          std::abs(motion.deltaAngle) * bodies.extent[wall].rotationReach;
-        if (way <= std::min(bodies.extent[bodyA].coreRadius, bodies.extent[bodyB].coreRadius) / 2) {
+        if (!contact.bounces &&
+            way <= std::min(bodies.extent[bodyA].coreRadius, bodies.extent[bodyB].coreRadius) / 2) {
             continue; // the contact of the next step suffices
         }
         const auto pathOf = [&](std::uint32_t body) {

@@ -96,7 +96,9 @@ void SoftSolver::findDepartures(const StepInput& step) {
                 needsRow(step.bodies, store, place, true, slop)) {
                 const bool held =
                     isJointed(step.bodies, step.joints.lists(), store.contacts()[place].key);
-                departures_[place] = departureOf(step.bodies, store, place, !held, slop, step.dt);
+                const bool deep = store.separation(place) <= -slop / 2; // it would sink on
+                departures_[place] =
+                    departureOf(step.bodies, store, place, !held && !deep, slop, step.dt);
             }
         }
     });
