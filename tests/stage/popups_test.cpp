@@ -66,6 +66,21 @@ TEST(Popups, WordsAtOnePositionDoNotOverlap) {
     EXPECT_NEAR(popups.all()[1].place.y, 5, 1); // as near as possible
 }
 
+// Regression: the places were those of usual letters; at 140 % words covered each other.
+TEST(Popups, LargerTextsHaveMoreRoom) {
+    Popups popups;
+    popups.setTextScale(Real(1.4));
+    popups.add(word("heavy balls", {3, 5}));
+    popups.add(word("knocked off", {3, 5}));
+    ASSERT_EQ(popups.all().size(), 2u);
+    const Aabb box = popups.all()[0].box();
+    EXPECT_NEAR(box.extent().y, Real(1.4) * word("heavy balls", {}).box().extent().y, 1e-4);
+    EXPECT_FALSE(overlap(box, popups.all()[1].box()));
+    const Aabb title = word("boss down!", {}, Real(1.1)).box();
+    popups.add(word("boss down!", {-5, 5}, Real(1.1)));
+    EXPECT_NEAR(popups.all()[2].box().extent().x, title.extent().x, 1e-4) << "one size";
+}
+
 // A word over a block is hard to read: it moves beside one, but not across a whole wall of them.
 TEST(Popups, StandBesideABlockAndOverAWall) {
     const Aabb block{{Real(-0.8), Real(8.6)}, {Real(0.8), Real(9.4)}};

@@ -36,6 +36,7 @@ public:
     void setSettings(const Settings& settings) {
         settings_ = settings;
         flashes_.setSettings(settings);
+        popups_.setTextScale(share(settings.text));
     }
     void firework(Vec2 place, Color color);
     /// Call after each tick of the game.

@@ -23,7 +23,8 @@ constexpr std::size_t kMostDigits = 5; // with the sign
 constexpr Real kTallest = Real(0.7);   // m
 
 Real tall(const Popup& popup) {
-    return popup.points > 0 ? std::max(popup.height, kTallest) : popup.height;
+    const Real height = popup.points > 0 ? std::max(popup.height, kTallest) : popup.height;
+    return height < kTitlePopup ? popup.textScale * height : height;
 }
 
 Real halfWidth(const Popup& popup) {
@@ -152,8 +153,16 @@ void Popups::add(Popup popup, std::span<const Aabb> busy, std::span<const Aabb> 
         }
     }
     popup.origin = popup.place;
+    popup.textScale = textScale_;
     popup.place = freePlace(popup, busy, solid);
     popups_.push_back(std::move(popup));
+}
+
+void Popups::setTextScale(Real scale) {
+    textScale_ = scale;
+    for (Popup& popup : popups_) {
+        popup.textScale = scale;
+    }
 }
 
 void Popups::tick() {

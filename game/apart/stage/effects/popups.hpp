@@ -10,6 +10,10 @@
 
 namespace apart {
 
+/// Popups from this height (m) on have the display face, which does not grow with the size of
+/// texts.
+inline constexpr Real kTitlePopup = Real(0.75);
+
 /// Text that rises and fades.
 struct Popup {
     std::string text;
@@ -20,6 +24,7 @@ struct Popup {
     bool praise = false; // one at a time
     int age = 0;         // ticks
     Vec2 origin{};       // m, set by Popups: the place wanted
+    Real textScale = 1;  // set by Popups: the size of texts
 
     /// Current centre of the base line (m).
     Vec2 placeNow() const;
@@ -45,6 +50,8 @@ public:
     /// breaks, and over as few `solid` ones as possible, where something stands (m).
     void add(Popup popup, std::span<const Aabb> busy = {}, std::span<const Aabb> solid = {});
     void tick();
+    /// Size of all texts of the picture; larger ones need more room.
+    void setTextScale(Real scale);
 
     std::span<const Popup> all() const { return popups_; }
 
@@ -55,6 +62,7 @@ private:
 
     std::vector<Popup> popups_;
     Aabb room_;
+    Real textScale_ = 1;
 };
 
 } // namespace apart

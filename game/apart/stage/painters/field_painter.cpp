@@ -14,7 +14,6 @@ namespace apart {
 
 namespace {
 
-constexpr Real kTitle = Real(0.75);      // m; popups from this height on have the display face
 constexpr Real kShardShare = Real(0.88); // of its size, at which a shard is drawn
 constexpr Real kNudge = Real(0.09);      // m, displacement of a block at the strongest impact
 
@@ -163,7 +162,7 @@ void paintPopups(Canvas& canvas, const Moment& moment) {
     for (const Popup& popup : moment.juice.popups()) {
         const Vec2 place = popup.placeIn(moment.shown);
         const float left = popup.left();
-        const Typeface face = popup.height >= kTitle ? Typeface::Display : Typeface::Bold;
+        const Typeface face = popup.height >= kTitlePopup ? Typeface::Display : Typeface::Bold;
         const TextStyle style{popup.height, faded(popup.color, left), face, Align::Middle};
         const TextStyle shadow{popup.height, faded(palette::kInk, 0.8f * left), face,
                                Align::Middle};

@@ -224,10 +224,9 @@ void paintWords(Canvas& canvas, const Bindings& keys, Real top) {
 } // namespace
 
 HelpPage::HelpPage(const Settings& settings) : settings_(settings) {
-    const Real larger = Real(0.01) * static_cast<Real>(settings.text) - 1; // letters need more room
     for (const HelpScene& scene : helpScenes()) {
         starts_.emplace_back(levelOf(scene), scene.seed, Mode::Standard, settings,
-                             kHelpRoom.grown(-Real(0.15) - Real(0.7) * larger));
+                             kHelpRoom.grown(-Real(0.15)));
     }
     plays_ = starts_;
 }
