@@ -228,5 +228,36 @@ TEST(KinematicImpact, ABallLeavesATurningBarAlongTheNormalOfTheTouch) {
     }
 }
 
+// A ball meets a wall, and within the same step the paddle below it, which goes on towards the
+// wall. The paddle carries it, but not into the wall: it was pressed in by up to 0.2 m, and had no
+// record of its impact there.
+TEST(KinematicImpact, APaddlePressesNoBallIntoTheWallThatItHasMet) {
+    for (const Real restitution : {Real(0), Real(0.5), Real(1)}) {
+        for (const Real rate : {Real(60), Real(120), Real(240)}) {
+            for (int i = 1; i <= 20; ++i) {
+                World world;
+                const Material material = withFriction(0, restitution);
+                world.add({.shape = Box{1, 10},
+                           .position = {Real(0.5), 0},
+                           .material = material,
+                           .type = BodyType::Static});
+                const Real gap = Real(0.1) * static_cast<Real>(i) / 20;
+                const Vec2 place{-gap - Real(0.2), 0};
+                BodyDef def = support::ballDef(place, Real(0.2), material);
+                def.velocity = {Real(0.3) * rate, Real(0.3) * rate};
+                const BodyId ball = world.add(def);
+                world.add({.shape = Circle{Real(0.5)},
+                           .position = place - Real(0.71) * normalize(Vec2{1, Real(1.4)}),
+                           .velocity = {Real(0.4) * rate, Real(0.3) * rate},
+                           .material = material,
+                           .type = BodyType::Kinematic});
+                world.step(1 / rate);
+                EXPECT_LT(world[ball].position().x + Real(0.2), 2 * world.tolerances().slop)
+                    << "e " << restitution << " at " << rate << " Hz, gap " << gap;
+            }
+        }
+    }
+}
+
 } // namespace
 } // namespace kodo

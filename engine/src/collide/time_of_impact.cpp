@@ -157,14 +157,10 @@ Real impactOnOneSided(MovingShape line, MovingShape other, Real target, Real fro
     for (const Vec2 vertex : other.shape.vertices) {
         const ConvexShape corner = discOf(vertex, other.shape.radius);
         const Real height = heightOf(corner);
-        if (height <= target * Real(1.5)) {
+        const Real deep = height > lowest ? comesTo(corner, -2 * kAhead * target) : from;
+        const bool slides = height > lowest && (deep > 1 || !isOver(line, other, vertex, deep));
+        if (slides || height <= target * Real(1.5)) {
             continue;
-        }
-        if (height > lowest) {
-            const Real deep = comesTo(corner, -2 * kAhead * target);
-            if (deep > 1 || !isOver(line, other, vertex, deep)) {
-                continue;
-            }
         }
         const Real t = comesTo(corner, target);
         comes = comes || t <= 1;

@@ -72,6 +72,7 @@ private:
     Real timeThroughLine(const Step& step, const Contact& contact, Real motion) const;
     Real timeToJointedLine(const Step& step, const Contact& contact, Real gap, Real from) const;
     void findPushes(const Step& step);
+    void holdBackAtGround(const Step& step, std::uint32_t body, Real time);
     void bounceOff(const Step& step, std::uint32_t slot, Real time);
     void takePushedDisplacement(const Step& step, const Contact& contact, Real time);
     void cutShort(const Step& step, std::uint32_t body, Real time);
@@ -92,10 +93,9 @@ private:
     std::vector<std::uint32_t> stopped_;    // bodies with stopAt_ < 1
     std::vector<std::uint32_t> candidates_; // contacts that may meet while no body is stopped
     ParallelCollector<std::uint32_t> found_;
-    std::vector<Real> times_;                  // by contact: fraction of the step; 1: no impact
-    std::vector<std::uint32_t> pulling_;       // stopped bodies whose joints are still to be tested
-    std::vector<std::uint32_t> jointsOf_;      // scratch: of one body
-    std::vector<std::uint32_t> againstLocked_; // contacts with one locked body
+    std::vector<Real> times_;             // by contact: fraction of the step; 1: no impact
+    std::vector<std::uint32_t> pulling_;  // stopped bodies whose joints are still to be tested
+    std::vector<std::uint32_t> jointsOf_; // scratch: of one body
     std::vector<std::uint32_t> stoppedAtLines_; // see stoppedAtLines()
     std::vector<Event> events_;                 // heap, the earliest on top
 };

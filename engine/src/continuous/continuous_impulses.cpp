@@ -3,6 +3,7 @@
 #include <kodo/geometry.hpp>
 
 #include <algorithm>
+#include <utility>
 
 #include "continuous/continuous_collision.hpp"
 #include "continuous/stop_motion.hpp"
@@ -46,38 +47,42 @@ Vec2& ContinuousCollision::pushOf(std::uint32_t body) {
     return push_[body];
 }
 
+/// Takes from the push of a body what would press it into a static one, which dominates: into any
+/// that it touches, or nearly, at `time`.
+void ContinuousCollision::holdBackAtGround(const Step& step, std::uint32_t body, Real time) {
+    step.contactSet.store().lists().forEach(body, [&](std::uint32_t i) {
+        const Contact& contact = step.contacts[i];
+        const auto [bodyA, partA, bodyB, partB] = contact.key;
+        const std::uint32_t ground = bodyA == body ? bodyB : bodyA;
+        if (step.bodies.isStill(ground) && !contact.sensor && !contact.hidden && !contact.passing) {
+            const auto [axis, distance] =
+                separation(step.bodies.convex(bodyA, partA), pathOf(step.bodies, bodyA).at(time),
+                           step.bodies.convex(bodyB, partB), pathOf(step.bodies, bodyB).at(time));
+            if (distance <= step.tolerances.margin) {
+                holdBack(push_[body], ground == bodyA ? axis : -axis);
+            }
+        }
+    });
+}
+
 /// Finds the pushes by kinematic bodies that touch or nearly touch at the start of the step. A body
 /// with restitution has become faster than the kinematic body by its impact and needs no push.
 void ContinuousCollision::findPushes(const Step& step) {
-    againstLocked_.clear();
     step.contactSet.store().forEachInOrder([&](std::uint32_t i) {
         const ContactSummary& summary = step.summaries[i];
-        if (summary.mayTouch && !summary.bounces &&
-            step.bodies.locked(summary.bodyA) != step.bodies.locked(summary.bodyB) &&
-            step.contacts[i].responds()) {
-            againstLocked_.push_back(i);
+        const Contact& contact = step.contacts[i];
+        const auto [bodyA, partA, bodyB, partB] = contact.key;
+        const bool isA = step.bodies.locked(bodyA);
+        const auto [floor, body] = isA ? std::pair(bodyA, bodyB) : std::pair(bodyB, bodyA);
+        if (!summary.mayTouch || summary.bounces || isA == step.bodies.locked(bodyB) ||
+            !contact.responds() || !step.bodies.isMovingKinematic(floor)) {
+            return;
         }
+        const ManifoldPoint& point = contact.manifold.points[0];
+        const Vec2 way = carriedBy(step.bodies.motion[floor], isA ? point.armA : point.armB, 0);
+        pushAlong(pushOf(body), isA ? contact.manifold.normal : -contact.manifold.normal, way);
+        holdBackAtGround(step, body, 0);
     });
-    for (const bool stop : {false, true}) { // static bodies last, so that they dominate
-        for (const std::uint32_t i : againstLocked_) {
-            const Contact& contact = step.contacts[i];
-            const auto [bodyA, partA, bodyB, partB] = contact.key;
-            const bool isA = step.bodies.locked(bodyA);
-            if (step.bodies.isMovingKinematic(isA ? bodyA : bodyB) == stop) {
-                continue;
-            }
-            const BodyVelocity& floor = step.bodies.motion[isA ? bodyA : bodyB];
-            const ManifoldPoint& point = contact.manifold.points[0];
-            const Vec2 way = carriedBy(floor, isA ? point.armA : point.armB, 0);
-            const Vec2 normal = isA ? contact.manifold.normal : -contact.manifold.normal;
-            Vec2& push = pushOf(isA ? bodyB : bodyA);
-            if (stop) {
-                holdBack(push, normal);
-            } else {
-                pushAlong(push, normal, way);
-            }
-        }
-    }
 }
 
 /// Applies the impact of a body with restitution that meets a kinematic one at `time`, along the
@@ -136,13 +141,12 @@ void ContinuousCollision::takePushedDisplacement(const Step& step, const Contact
             return;
         }
         Vec2& push = pushOf(body);
-        if (step.bodies.locked(other) && !step.bodies.isMovingKinematic(other)) {
-            holdBack(push, away);
-        } else if (step.bodies.locked(other)) {
+        if (step.bodies.isMovingKinematic(other)) {
             push = way;
-        } else {
+        } else if (!step.bodies.locked(other)) {
             pushAlong(push, away, way);
         }
+        holdBackAtGround(step, body, time);
     };
     const Vec2 arm = b.position - a.position;
     take(key.bodyA, key.bodyB, -normal, wayOf(key.bodyB, -arm));
