@@ -135,6 +135,8 @@ void ContinuousCollision::makeRoom(const Bodies& bodies) {
     resizeByBody(swift_, bodies);           // all 0 between steps
     resizeByBody(stopAt_, bodies, Real(1)); // all 1 between steps
     resizeByBody(push_, bodies);            // all 0 between steps
+    pushed_.reserve(bodies.record.capacity());
+    candidates_.reserve(bodies.record.capacity());
 }
 
 /// Marks the swift bodies. A pair without a swift body needs no continuous collision, for one of
