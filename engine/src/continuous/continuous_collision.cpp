@@ -263,10 +263,7 @@ void ContinuousCollision::findTime(const Step& step, std::uint32_t i, Real from)
     const Real slop = step.tolerances.slop;
     const bool unheld = gap <= slop && gap > -slop / 2 && step.settings.has(Feature::Restitution) &&
                         isUnheld(step.bodies, step.contactSet, i, slop);
-    auto departure = unheld
-                         ? departureTime(step.bodies, step.contactSet, i, kStopShort * slop, slop)
-                         : std::nullopt;
-    const auto timeFrom = [&](Real apart) {
+    const auto timeFrom = [&](Real apart, std::optional<Real> departure) {
         const auto target = unheld && !departure
                                 ? std::optional(-slop)
                                 : stoppingGap(step.bodies, contact, departure ? 2 * slop : apart,
@@ -277,7 +274,9 @@ void ContinuousCollision::findTime(const Step& step, std::uint32_t i, Real from)
                       : Real(1);
     };
     Real& time = times_[i];
-    time = timeFrom(gap);
+    time = timeFrom(gap,
+                    unheld ? departureTime(step.bodies, step.contactSet, i, kStopShort * slop, slop)
+                           : std::nullopt);
     if (time >= 1) {
         time = timeThroughLine(step, contact, motion);
     }
@@ -286,8 +285,7 @@ void ContinuousCollision::findTime(const Step& step, std::uint32_t i, Real from)
     // separates.
     const auto hangs = [&] { return time * motion <= slop / 32; };
     if ((gap > slop || unheld) && hangs()) {
-        departure.reset();
-        time = timeFrom(0);
+        time = timeFrom(0, std::nullopt);
         time = unheld && hangs() ? Real(1) : time;
     }
     if (contact.hidden && time < 1 && !meetsSurface(step, contact, time)) {
