@@ -6,6 +6,7 @@
 
 Exit code 0: all checks passed, 1: one failed, 77: a tool is missing."""
 import pathlib
+import re
 import sys
 
 sys.dont_write_bytecode = True
@@ -40,6 +41,14 @@ def check_pictures(screen, program, report):
               result.returncode == 0 and path.stat().st_size > 10000)
         pictures.append(path)
     check("shock propagation can be seen", difference(screen, *pictures, SCENE) > MANY)
+
+
+def check_times(screen, program):
+    result = screen.run(program, "--frames", "5", "--bodies", "300", seconds=180)
+    awake = [int(count) for count in re.findall(r"304 bodies, (\d+) awake", result.stdout)]
+    check(f"frames are measured with an awake pile and a sleeping one ({awake} bodies awake)",
+          len(awake) == 2 and awake[0] == 300 and awake[1] < 30)
+    check("and their parts are told", result.stdout.count("5 frames, medians: step") == 2)
 
 
 def changed(demo, before, name, report, area):
@@ -95,6 +104,7 @@ def main():
         skip_without_tools()
         with Screen() as screen:
             check_pictures(screen, program, report)
+            check_times(screen, program)
             work(screen, program, report)
     return judged(all_of_it, report)
 

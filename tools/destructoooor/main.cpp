@@ -12,6 +12,7 @@
 #include <memory>
 #include <string>
 
+#include "frames.hpp"
 #include "imgui_host.hpp"
 #include "panel.hpp"
 
@@ -21,8 +22,6 @@ namespace {
 constexpr int kDone = 0;
 constexpr int kRefused = 2;
 constexpr int kNoDisplay = 3;
-const kodo_sfml::Rgba kBackground{30, 33, 40};
-const kodo_sfml::Size kPixels{1280, 720};
 
 struct Options {
     std::string scene = "Pyramid";
@@ -31,6 +30,8 @@ struct Options {
     std::size_t stop = 1;
     unsigned steps = 120;
     std::string picture;
+    std::size_t frames = 0;
+    std::size_t bodies = 0;
     bool list = false;
 };
 
@@ -150,6 +151,15 @@ int run(int argc, char** argv) {
     app.add_option("--steps", options.steps, "Steps before the picture, 60 per second")
         ->capture_default_str()
         ->needs(picture);
+    auto* frames = app.add_option("--frames", options.frames,
+                                  "Draw so many frames as fast as possible, print their times, "
+                                  "then exit");
+    frames->check(CLI::Range(1u, 100000u))->excludes(picture);
+    app.add_option("--bodies", options.bodies,
+                   "Of a pile of so many bodies, awake and asleep, instead of a scene")
+        ->check(CLI::Range(1u, 100000u))
+        ->excludes(file)
+        ->needs(frames);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -183,6 +193,10 @@ int run(int argc, char** argv) {
     if (!options.file.empty()) {
         bench.sandbox.load(options.file); // throws a sentence
         bench.showScene();
+    }
+    if (options.frames > 0) {
+        measureFrames(bench, options.frames, options.bodies, DESTRUCTOOOOR_FONT);
+        return kDone;
     }
     return options.picture.empty() ? play(bench) : takePicture(bench, options);
 }

@@ -7,6 +7,9 @@
 #include <kodo_draw/edge_texture.hpp>
 
 #include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <type_traits>
 
 namespace kodo_sfml {
 
@@ -15,6 +18,13 @@ using kodo_draw::MeshRun;
 using kodo_draw::MeshVertex;
 
 namespace {
+
+// Vertices are copied as bytes.
+static_assert(std::is_trivially_copyable_v<sf::Vertex> &&
+              sizeof(sf::Vertex) == sizeof(MeshVertex) &&
+              offsetof(sf::Vertex, position) == offsetof(MeshVertex, place) &&
+              offsetof(sf::Vertex, color) == offsetof(MeshVertex, color) &&
+              offsetof(sf::Vertex, texCoords) == offsetof(MeshVertex, texel));
 
 sf::BlendMode modeOf(const MeshRun& run) {
     if (run.blend == Blend::Replace) {
@@ -60,11 +70,10 @@ void Painter::draw(sf::RenderTarget& target) const {
         edges_ = std::make_unique<sf::Texture>();
         edges_->loadFromImage(edgeImage());
     }
-    vertices_.clear();
-    for (const MeshVertex& v : vertices()) {
-        vertices_.push_back({{v.place.x, v.place.y},
-                             {v.color.r, v.color.g, v.color.b, v.color.a},
-                             {v.texel.x, v.texel.y}});
+    vertices_.resize(vertices().size());
+    if (!vertices_.empty()) {
+        std::memcpy(static_cast<void*>(vertices_.data()), vertices().data(),
+                    vertices().size_bytes());
     }
     for (std::size_t i = 0; i < runs().size(); ++i) {
         const MeshRun& run = runs()[i];
