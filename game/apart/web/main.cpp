@@ -97,6 +97,7 @@ bool openContext(WebCanvas& canvas) {
     emscripten_webgl_init_context_attributes(&wanted);
     wanted.majorVersion = 2;
     wanted.alpha = wanted.depth = wanted.stencil = wanted.antialias = EM_FALSE;
+    wanted.preserveDrawingBuffer = EM_TRUE; // a frame paints over what changes: see still_part.hpp
     const EMSCRIPTEN_WEBGL_CONTEXT_HANDLE context =
         emscripten_webgl_create_context(kElement, &wanted);
     if (context <= 0) {

@@ -35,7 +35,23 @@ void main() {
 })";
 
 // Both textures hold opacities. The colours of shapes are premultiplied, those of letters are not.
-constexpr const char* kFragmentShader = R"(#version 300 es
+constexpr const char* kCopyShader = R"(#version 300 es
+precision mediump float;
+uniform sampler2D kept;
+out vec4 result;
+void main() {
+    result = texelFetch(kept, ivec2(gl_FragCoord.xy), 0);
+})";
+
+constexpr const char* kPlainShader = R"(#version 300 es
+precision mediump float;
+in vec4 tint;
+out vec4 result;
+void main() {
+    result = tint;
+})";
+
+constexpr const char* kTexturedShader = R"(#version 300 es
 precision mediump float;
 uniform int fill; // a value of Fill
 uniform sampler2D opacities;
@@ -43,7 +59,7 @@ in vec4 tint;
 in vec2 where;
 out vec4 result;
 void main() {
-    float opacity = fill == 0 ? 1.0 : texture(opacities, where).r;
+    float opacity = texture(opacities, where).r;
     result = (fill == 2 ? vec4(tint.rgb * tint.a, tint.a) : tint) * opacity;
 })";
 
@@ -84,14 +100,22 @@ void setAttribute(GLuint index, GLint parts, GLenum type, std::size_t offset) {
 
 } // namespace
 
+WebCanvas::Program WebCanvas::makeProgram(const char* fragmentShader) {
+    const GLuint name = glCreateProgram();
+    glAttachShader(name, shader(GL_VERTEX_SHADER, kVertexShader));
+    glAttachShader(name, shader(GL_FRAGMENT_SHADER, fragmentShader));
+    glLinkProgram(name);
+    return {name, glGetUniformLocation(name, "pixels"), glGetUniformLocation(name, "texels"),
+            glGetUniformLocation(name, "fill")};
+}
+
 void WebCanvas::makeResources() {
-    program_ = glCreateProgram();
-    glAttachShader(program_, shader(GL_VERTEX_SHADER, kVertexShader));
-    glAttachShader(program_, shader(GL_FRAGMENT_SHADER, kFragmentShader));
-    glLinkProgram(program_);
-    pixelsPlace_ = glGetUniformLocation(program_, "pixels");
-    texelsPlace_ = glGetUniformLocation(program_, "texels");
-    fillPlace_ = glGetUniformLocation(program_, "fill");
+    copy_ = makeProgram(kCopyShader);
+    plain_ = makeProgram(kPlainShader);
+    textured_ = makeProgram(kTexturedShader);
+    glGenFramebuffers(1, &kept_);
+    glGenTextures(1, &keptPixels_);
+    keptSize_ = {};
     glGenBuffers(1, &vertices_);
     glGenTextures(1, &edges_);
     glBindTexture(GL_TEXTURE_2D, edges_);
@@ -107,42 +131,102 @@ void WebCanvas::makeResources() {
     glyphs_.makeTexture();
 }
 
-void WebCanvas::show(kodo_draw::Size pixels) {
-    glViewport(0, 0, static_cast<GLsizei>(pixels.x), static_cast<GLsizei>(pixels.y));
-    glClearColor(0, 0, 0, 1);
-    glClear(GL_COLOR_BUFFER_BIT);
-    glUseProgram(program_);
+void WebCanvas::setKeptSize(kodo_draw::Size pixels) {
+    keptSize_ = pixels;
+    still_.forget();
+    glBindTexture(GL_TEXTURE_2D, keptPixels_);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, static_cast<GLsizei>(pixels.x),
+                 static_cast<GLsizei>(pixels.y), 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, kept_);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, keptPixels_, 0);
+}
+
+void WebCanvas::upload(std::span<const MeshVertex> vertices) {
     glBindBuffer(GL_ARRAY_BUFFER, vertices_);
-    const auto vertices = mesh_.vertices();
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size_bytes()), vertices.data(),
                  GL_STREAM_DRAW);
     setAttribute(0, 2, GL_FLOAT, offsetof(MeshVertex, place));
     setAttribute(1, 4, GL_UNSIGNED_BYTE, offsetof(MeshVertex, color));
     setAttribute(2, 2, GL_FLOAT, offsetof(MeshVertex, texel));
-    glUniform2f(pixelsPlace_, static_cast<float>(pixels.x), static_cast<float>(pixels.y));
-    const auto runs = mesh_.runs();
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        const MeshRun& run = runs[i];
-        const std::size_t end = i + 1 < runs.size() ? runs[i + 1].first : vertices.size();
-        if (end == run.first) {
-            continue;
-        }
-        const bool letters = run.fill == Fill::Image;
+}
+
+void WebCanvas::restoreTouched() {
+    const std::vector<MeshVertex> quads = touched_.quads();
+    touched_.clear();
+    if (quads.empty()) {
+        return;
+    }
+    upload(quads);
+    glUseProgram(copy_.name);
+    glUniform2f(copy_.pixels, static_cast<float>(size_.x), static_cast<float>(size_.y));
+    glBindTexture(GL_TEXTURE_2D, keptPixels_);
+    glDisable(GL_BLEND);
+    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(quads.size()));
+    glBindTexture(GL_TEXTURE_2D, edges_); // no program reads what it draws into
+}
+
+void WebCanvas::drawRun(const MeshRun& run, std::size_t begin, std::size_t end) {
+    const bool letters = run.fill == Fill::Image;
+    const Program& program = run.fill == Fill::Plain ? plain_ : textured_;
+    glUseProgram(program.name);
+    glUniform2f(program.pixels, static_cast<float>(size_.x), static_cast<float>(size_.y));
+    if (run.fill != Fill::Plain) {
         const kodo_draw::Size size = letters ? kodo_draw::Size{Glyphs::kWidth, Glyphs::kWidth}
                                              : kodo_draw::edgeTextureSize();
         glBindTexture(GL_TEXTURE_2D, letters ? glyphs_.texture() : edges_);
-        glUniform2f(texelsPlace_, static_cast<float>(size.x), static_cast<float>(size.y));
-        glUniform1i(fillPlace_, static_cast<int>(run.fill));
-        if (run.blend == Blend::Replace) {
-            glDisable(GL_BLEND);
-        } else {
-            glEnable(GL_BLEND);
-            glBlendFunc(GL_ONE,
-                        letters && run.blend == Blend::Add ? GL_ONE : GL_ONE_MINUS_SRC_ALPHA);
-        }
-        glDrawArrays(GL_TRIANGLES, static_cast<GLint>(run.first),
-                     static_cast<GLsizei>(end - run.first));
+        glUniform2f(program.texels, static_cast<float>(size.x), static_cast<float>(size.y));
+        glUniform1i(program.fill, static_cast<int>(run.fill));
     }
+    if (run.blend == Blend::Replace) {
+        glDisable(GL_BLEND);
+    } else {
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_ONE, letters && run.blend == Blend::Add ? GL_ONE : GL_ONE_MINUS_SRC_ALPHA);
+    }
+    glDrawArrays(GL_TRIANGLES, static_cast<GLint>(begin), static_cast<GLsizei>(end - begin));
+}
+
+void WebCanvas::draw(std::size_t begin, std::size_t end) {
+    if (begin == 0) {
+        glClearColor(0, 0, 0, 1);
+        glClear(GL_COLOR_BUFFER_BIT);
+    }
+    const auto runs = mesh_.runs();
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const std::size_t last = i + 1 < runs.size() ? runs[i + 1].first : end;
+        const std::size_t from = std::max(begin, runs[i].first);
+        const std::size_t to = std::min(end, last);
+        if (from < to) {
+            drawRun(runs[i], from, to);
+        }
+    }
+}
+
+void WebCanvas::show(kodo_draw::Size pixels) {
+    size_ = pixels;
+    if (keptSize_ != pixels) {
+        setKeptSize(pixels);
+    }
+    glViewport(0, 0, static_cast<GLsizei>(pixels.x), static_cast<GLsizei>(pixels.y));
+    const auto vertices = mesh_.vertices();
+    const StillPart::Plan plan = still_.next(vertices, mesh_.runs(), pixels);
+    if (plan.kept == 0 || plan.keep > 0) {
+        touched_.touchAll(pixels);
+    }
+    if (plan.keep > 0) {
+        upload(vertices);
+        glBindFramebuffer(GL_FRAMEBUFFER, kept_);
+        draw(0, plan.keep);
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    if (plan.kept > 0) {
+        restoreTouched();
+        touched_.touch(vertices.subspan(plan.kept));
+    }
+    upload(vertices);
+    draw(plan.kept, vertices.size());
     glyphs_.tidy();
 }
 

@@ -3,9 +3,11 @@
 
 #include <apart/front/mesh_canvas.hpp>
 #include <apart/web/glyphs.hpp>
+#include <apart/web/still_part.hpp>
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 namespace apart {
 
@@ -25,14 +27,34 @@ private:
     void addText(Typeface face, std::string_view utf8, unsigned heightPixels,
                  kodo_draw::Pixel start, kodo_draw::Rgba color) override;
 
+    struct Program {
+        std::uint32_t name = 0;
+        int pixels = -1; // places of uniforms
+        int texels = -1;
+        int fill = -1;
+    };
+
+    static Program makeProgram(const char* fragmentShader);
+    void upload(std::span<const kodo_draw::MeshVertex> vertices);
+    void restoreTouched();
+    /// Draws vertices into the present framebuffer, from one on and before another one.
+    void draw(std::size_t begin, std::size_t end);
+    void drawRun(const kodo_draw::MeshRun& run, std::size_t begin, std::size_t end);
+    void setKeptSize(kodo_draw::Size pixels);
+
     kodo_draw::Mesh mesh_;
     Glyphs glyphs_;
-    std::uint32_t program_ = 0;
+    StillPart still_;
+    TouchedTiles touched_;         // of the canvas, since it had the kept picture
+    kodo_draw::Size size_;         // pixels
+    kodo_draw::Size keptSize_;     // of the kept picture
+    std::uint32_t kept_ = 0;       // its framebuffer
+    std::uint32_t keptPixels_ = 0; // its texture
+    Program copy_;                 // of the kept picture
+    Program plain_;
+    Program textured_;
     std::uint32_t vertices_ = 0; // buffer
     std::uint32_t edges_ = 0;    // texture
-    int pixelsPlace_ = -1;       // of the uniforms
-    int texelsPlace_ = -1;
-    int fillPlace_ = -1;
 };
 
 } // namespace apart
