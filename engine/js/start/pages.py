@@ -33,6 +33,9 @@ table { border-collapse: collapse; display: block; overflow-x: auto; }
 td, th { border: 1px solid #8886; padding: .25rem .5rem; text-align: left; vertical-align: top; }
 pre { overflow-x: auto; padding: .75rem; background: #8882; border-radius: .5rem; }
 .contents { columns: 14rem; padding-left: 1.2rem; }
+@media (max-width: 600px) { /* for fingers */
+  nav a, .pages a { display: inline-block; padding: .4rem 0; }
+}
 code { font-size: .92em; } img { max-width: 100%; height: auto; }
 """
 
@@ -216,7 +219,7 @@ def main():
     if redone.exists():  # tools/thesis has made it
         shutil.copy(redone, folder / "thesis-redone.html")
         entries.append('<li><a href="thesis-redone.html">The thesis, redone by Kodo</a></li>')
-    body = '<nav><a href="../">Kodo</a></nav>\n<h1>Pages</h1>\n<ul>' + "\n".join(entries) + "</ul>"
+    body = '<nav><a href="../">Kodo</a></nav>\n<h1>Pages</h1>\n<ul class="pages">' + "\n".join(entries) + "</ul>"
     (folder / "index.html").write_text(frame("Pages", body), encoding="utf-8")
 
 
