@@ -14,7 +14,7 @@ using kodo_draw::MeshVertex;
 
 namespace {
 
-constexpr int kWindow = 4;     // frames for which triangles are the same before they are kept
+constexpr int kSteady = 4;     // frames for which triangles are the same before they are kept
 constexpr float kWorth = 1.5f; // pictures; the area of triangles that are worth it
 constexpr float kTile = 64;    // pixels
 
@@ -75,7 +75,7 @@ StillPart::Plan StillPart::next(std::span<const MeshVertex> vertices, std::span<
         forget();
     }
     least_ = frames_ == 0 ? same : std::min(least_, same);
-    frames_ = (frames_ + 1) % kWindow;
+    frames_ = (frames_ + 1) % kSteady;
     const float worth = kWorth * static_cast<float>(pixels.x * pixels.y);
     if (frames_ == 0 && least_ > kept_ + kept_ / 8 && areaOf(vertices.first(least_)) > worth) {
         kept_ = least_;
