@@ -34,7 +34,7 @@ td, th { border: 1px solid #8886; padding: .25rem .5rem; text-align: left; verti
 pre { overflow-x: auto; padding: .75rem; background: #8882; border-radius: .5rem; }
 .contents { columns: 14rem; padding-left: 1.2rem; }
 @media (max-width: 600px) { /* for fingers */
-  nav a, .pages a { display: inline-block; padding: .4rem 0; }
+  nav a, .pages a { display: inline-block; padding: .4rem 0; vertical-align: top; }
 }
 code { font-size: .92em; } img { max-width: 100%; height: auto; }
 """
