@@ -12,7 +12,7 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 
 BodyView::BodyView(const Bodies& bodies, BodyId id) : bodies_(&bodies), id_(id) {
-    requireAlive(bodies, id);
+    index(); // throws
 }
 
 std::uint32_t BodyView::index() const {

@@ -144,14 +144,15 @@ bool hitContact(const Impact& hit, const Tolerances& tolerances, Real restSpeed)
     return true;
 }
 
-/// True if the contact touches and approaches, so that solveImpact() may act.
-bool approaches(const Impact& hit, Real slop, Real restSpeed) {
+/// Speed (m/s) of the fastest approach of a point that touches; 0: none.
+Real fastestApproach(const Impact& hit, Real slop) {
+    Real fastest = 0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(hit.contact->manifold.count); ++i) {
-        if (hit.separation(i) <= slop && approach(hit, i, restSpeed) > 0) {
-            return true;
+        if (hit.separation(i) <= slop) {
+            fastest = std::max(fastest, approach(hit, i, 0));
         }
     }
-    return false;
+    return fastest;
 }
 
 /// A body that can only rotate, pinched between moving walls, would get ever larger impulses.
@@ -256,7 +257,7 @@ void ImpactSolver::listCandidates(const Inputs& inputs) {
         candidates_.push_back({.slot = slot,
                                .bodyA = summary.bodyA,
                                .bodyB = summary.bodyB,
-                               .wasFast = wasFast(inputs, slot),
+                               .round = wasFast(inputs, slot) ? 0u : 1u,
                                .bounces = summary.bounces});
     });
 }
@@ -264,16 +265,12 @@ void ImpactSolver::listCandidates(const Inputs& inputs) {
 /// True if the contact touches and approaches. It is checked again only if one of its bodies was
 /// hit since.
 bool ImpactSolver::approachesNow(const Inputs& inputs, Candidate& candidate) const {
-    const std::uint32_t lastHit = std::max(lastHit_[candidate.bodyA], lastHit_[candidate.bodyB]);
-    if (lastHit == 0 && !candidate.wasFast) {
-        return false; // neither body was hit in this step: it approaches as measured
-    }
-    if (candidate.round == 0 || lastHit >= candidate.round) {
+    if (std::max(lastHit_[candidate.bodyA], lastHit_[candidate.bodyB]) >= candidate.round) {
         const Impact hit = impactOf(inputs, candidate.slot);
+        const Real speed = fastestApproach(hit, inputs.tolerances.slop);
         candidate.round = round_;
-        candidate.approaches = hit.contact->responds() &&
-                               approaches(hit, inputs.tolerances.slop,
-                                          restSpeedOf(inputs.bodies, *hit.contact, inputs.dt));
+        candidate.approaches = speed > inputs.restSpeed && hit.contact->responds() &&
+                               speed > restSpeedOf(inputs.bodies, *hit.contact, inputs.dt);
     }
     return candidate.approaches;
 }
@@ -285,12 +282,13 @@ bool ImpactSolver::solvePass(const Inputs& inputs, std::uint32_t pass) {
         bool again = false;
         ++round_;
         approaching_.clear();
-        for (std::size_t i = 0; i < candidates_.size(); ++i) {
-            if (approachesNow(inputs, candidates_[i])) {
-                const bool solved = candidates_[i].lastPass == pass;
+        for (Candidate& candidate : candidates_) {
+            if (approachesNow(inputs, candidate)) {
+                const bool solved = candidate.lastPass == pass;
                 again = again || solved;
                 if (!solved) {
-                    approaching_.push_back(static_cast<std::uint32_t>(i));
+                    approaching_.push_back(
+                        static_cast<std::uint32_t>(&candidate - candidates_.data()));
                 }
             }
         }

@@ -51,9 +51,10 @@ private:
         std::uint32_t bodyA;
         std::uint32_t bodyB;
         std::uint32_t lastPass = 0; // that solved it; 0: none
-        std::uint32_t round = 0;    // of the last check; 0: none since it was solved
-        bool approaches = false;    // in that check
-        bool wasFast;               // as measured before the solver
+        // Of the last check; 0: none since it was solved. From the beginning 1 if it was slow, as
+        // measured before the solver.
+        std::uint32_t round;
+        bool approaches = false; // in that check
         bool bounces;
     };
     static bool wasFast(const Inputs& inputs, std::uint32_t slot);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
@@ -18,20 +19,19 @@ constexpr Real kGain = Real(2e-5);
 
 } // namespace
 
-inline Vec2 SimultaneousImpacts::Point::relativeVelocity() const {
-    return velocityAt(*b, armB) - velocityAt(*a, armA);
-}
-
-inline void SimultaneousImpacts::Point::push(Vec2 j, Real angularA, Real angularB) const {
-    applyImpulse(*a, a->invMass, -j, a->invInertia, -angularA);
-    applyImpulse(*b, b->invMass, j, b->invInertia, angularB);
-}
-
 /// Adds the points of a contact that touch and approach.
 void SimultaneousImpacts::addPoints(const Impact& hit, const Tolerances& tolerances) {
     const Material& material = hit.contact->material;
     const Vec2 normal = hit.normal();
     const Vec2 tangent = hit.tangent();
+    const auto sideOf = [&](BodyVelocity& body, Vec2 arm) {
+        return Side{&body,
+                    body.locked(),
+                    {body.invMass, body.invMass, body.invInertia, 0},
+                    {-arm.y, arm.x, 0, 0},
+                    {normal.x, normal.y, leverOf(arm, normal), 0},
+                    {tangent.x, tangent.y, leverOf(arm, tangent), 0}};
+    };
     for (std::size_t i = 0; i < static_cast<std::size_t>(hit.contact->manifold.count); ++i) {
         const Real speed = approach(hit, i, 0);
         if (!(speed > 0) || hit.separation(i) > tolerances.slop || hit.blocked(i)) {
@@ -41,14 +41,8 @@ void SimultaneousImpacts::addPoints(const Impact& hit, const Tolerances& toleran
         const Real kt = response(hit, i, tangent, i, tangent);
         const bool slides = !hit.frictionless && material.staticFriction > 0 && kt > 0;
         const auto& [armA, armB, then, feature] = hit.point(i);
-        points_.push_back({.a = hit.a,
-                           .b = hit.b,
-                           .normal = normal,
-                           .tangent = tangent,
-                           .armA = armA,
-                           .armB = armB,
-                           .leverA = {leverOf(armA, normal), leverOf(armA, tangent)},
-                           .leverB = {leverOf(armB, normal), leverOf(armB, tangent)},
+        points_.push_back({.a = sideOf(*hit.a, armA),
+                           .b = sideOf(*hit.b, armB),
                            .target = material.restitution * speed,
                            .normalMass = 1 / kn,
                            .tangentialMass = slides ? 1 / kt : 0,
@@ -71,30 +65,26 @@ bool SimultaneousImpacts::iterate(Real tolerance, int most) {
         first = iteration == 1 ? largest : first;
         largest = 0;
         for (Point& point : points_) {
-            const Real apart = dot(point.normal, point.relativeVelocity());
+            const Real apart = point.speedAlong(point.b.normal);
             const Real next =
                 std::max(Real(0), point.impulse + (point.target - apart) * point.normalMass);
             const Real more = next - point.impulse;
             if (more != 0) {
                 point.impulse = next;
                 point.impact += more;
-                point.push(more * point.normal, point.leverA.x * more, point.leverB.x * more);
+                point.push(more, &Side::normal);
                 largest = std::max(largest, std::abs(more) / point.normalMass);
             }
-            if (!(point.tangentialMass > 0)) {
+            if (!(point.tangentialMass > 0) || (next == 0 && point.friction == 0)) {
                 continue;
             }
-            const Real sliding = point.slidingSpeed();
-            const Real stopping = point.friction - sliding * point.tangentialMass;
-            const Real friction =
-                frictionImpulse<Real>({point.staticFriction, point.kineticFriction, next, 1},
-                                      stopping)
-                    .impulse;
+            const Real stopping = point.friction - point.slidingSpeed() * point.tangentialMass;
+            const FrictionLimits<Real> limits{point.staticFriction, point.kineticFriction, next, 1};
+            const Real friction = frictionImpulse(limits, stopping).impulse;
             const Real change = friction - point.friction;
             if (change != 0) {
                 point.friction = friction;
-                point.push(change * point.tangent, point.leverA.y * change,
-                           point.leverB.y * change);
+                point.push(change, &Side::tangent);
                 largest = std::max(largest, std::abs(change) / point.tangentialMass);
             }
         }
@@ -108,10 +98,10 @@ bool SimultaneousImpacts::iterate(Real tolerance, int most) {
 /// Takes all impulses back.
 void SimultaneousImpacts::undo() {
     for (Point& point : points_) {
-        const Vec2 j{-point.impulse, -point.friction};
-        point.push(j.x * point.normal + j.y * point.tangent, dot(point.leverA, j),
-                   dot(point.leverB, j));
-        point.impact += j.x;
+        const auto& [a, b] = std::tie(point.a, point.b);
+        a.push(point.impulse * a.normal + point.friction * a.tangent);
+        b.push(-point.impulse * b.normal - point.friction * b.tangent);
+        point.impact -= point.impulse;
         point.impulse = 0;
         point.friction = 0;
         point.tangentialMass = 0;
@@ -123,21 +113,13 @@ bool SimultaneousImpacts::gainsEnergy() const {
     Real gained = 0; // J, twice
     Real moved = 0;  // J, sum of magnitudes
     for (const Point& point : points_) {
-        const Vec2 velocity = point.relativeVelocity();
-        const Vec2 after{dot(point.normal, velocity), point.slidingSpeed()};
+        const Vec2 after{point.speedAlong(point.b.normal), point.slidingSpeed()};
         const Vec2 impulse{point.impulse, point.friction};
         const Real asked = std::max(point.target + point.before.x, Real(0)); // 0 for e <= 1
         gained += dot(impulse, point.before + after) - point.impulse * asked;
         moved += std::abs(impulse.x * point.before.x) + std::abs(impulse.y * point.before.y);
     }
     return gained > kGain * moved;
-}
-
-/// Adds the impulses to the contacts.
-void SimultaneousImpacts::storeImpulses() {
-    for (const Point& point : points_) {
-        point.hit->lane.impact(point.index) = point.impact;
-    }
 }
 
 void SimultaneousImpacts::solve(std::span<const Impact> hits, const Tolerances& tolerances) {
@@ -161,7 +143,11 @@ void SimultaneousImpacts::solve(std::span<const Impact> hits, const Tolerances& 
         undo();
         iterate(kFinal * fastest, kMostIterations);
     }
-    storeImpulses();
+    for (const Point& point : points_) {
+        point.hit->lane.impact(point.index) = point.impact;
+        point.a.body->invMass = point.a.mass[0]; // 0 times an infinite impulse is NaN
+        point.b.body->invMass = point.b.mass[0];
+    }
 }
 
 } // namespace KODO_PRECISION

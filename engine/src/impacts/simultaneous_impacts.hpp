@@ -27,16 +27,28 @@ public:
     void solve(std::span<const Impact> hits, const Tolerances& tolerances);
 
 private:
+    /// One body at a contact point. Vectors have x and y first, then the angular number.
+    struct Side {
+        BodyVelocity* body;
+        bool locked;
+        Four mass;    // 1/kg, 1/kg, 1/(kg m^2), 0
+        Four arm;     // m, world, turned by 90 degrees
+        Four normal;  // and its lever (m)
+        Four tangent; // and its lever (m)
+
+        /// m/s, at the point.
+        Four velocity() const { return speeds(*body) + speeds(*body)[2] * arm; }
+        /// Applies an impulse (N s, N s, N m s, 0). See applyImpulse() about locked bodies.
+        void push(Four impulse) const {
+            if (!locked) {
+                speeds(*body) += mass * impulse;
+            }
+        }
+    };
     /// One contact point with all that an iteration reads.
     struct Point {
-        BodyVelocity* a;
-        BodyVelocity* b;
-        Vec2 normal;
-        Vec2 tangent;
-        Vec2 armA; // m, world
-        Vec2 armB;
-        Vec2 leverA; // m, of armA along normal and tangent
-        Vec2 leverB;
+        Side a;
+        Side b;
         Real target;         // m/s, separating speed after the impact
         Real normalMass;     // kg
         Real tangentialMass; // kg; 0: no friction
@@ -50,16 +62,22 @@ private:
         const Impact* hit;
         std::size_t index; // in the manifold
 
-        Vec2 relativeVelocity() const;
-        Real slidingSpeed() const { return dot(tangent, relativeVelocity()) + surfaceSpeed; }
-        /// Applies an impulse (N s), with its angular impulses (N m s) on both bodies.
-        void push(Vec2 j, Real angularA, Real angularB) const;
+        /// m/s, of b against a.
+        Real speedAlong(Four direction) const {
+            const Four along = direction * (b.velocity() - a.velocity());
+            return along[0] + along[1];
+        }
+        Real slidingSpeed() const { return speedAlong(b.tangent) + surfaceSpeed; }
+        /// Applies an impulse (N s) along the normals or tangents.
+        void push(Real j, Four Side::*direction) const {
+            a.push(-j * (a.*direction));
+            b.push(j * (b.*direction));
+        }
     };
     void addPoints(const Impact& hit, const Tolerances& tolerances);
     bool iterate(Real tolerance, int most);
     void undo();
     bool gainsEnergy() const;
-    void storeImpulses();
 
     std::vector<Point> points_;
 };

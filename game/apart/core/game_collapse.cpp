@@ -82,14 +82,14 @@ void watchBuildings(GameState& game) {
         findCarriers(game);
     }
     for (std::size_t i = 0; i < game.blocks.size(); ++i) {
-        const kodo::BodyView body = std::as_const(game.world)[game.blocks[i].body];
-        if (game.blocks[i].support == Support::Fallen && body.isAsleep()) {
-            rest(game, game.blocks[i]);
-        }
-        if (game.blocks[i].support != Support::Standing) {
+        const Support support = game.blocks[i].support;
+        if (support != Support::Standing && support != Support::Fallen) {
             continue;
         }
-        if (!body.isAsleep() && hasFallen(game, game.blocks[i])) {
+        const bool asleep = std::as_const(game.world)[game.blocks[i].body].isAsleep();
+        if (support == Support::Fallen && asleep) {
+            rest(game, game.blocks[i]);
+        } else if (support == Support::Standing && !asleep && hasFallen(game, game.blocks[i])) {
             markFallen(game, i, LetGo::Why::Toppled);
         }
     }
