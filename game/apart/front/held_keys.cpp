@@ -116,8 +116,10 @@ void HeldKeys::pressButtons(std::uint32_t held, Signals& signals) {
     buttonsHeld_ = held;
     for (std::size_t i = 0; i < static_cast<std::size_t>(kMostButtons); ++i) {
         if ((begun >> i & 1u) != 0) {
-            const std::optional<Command> fixed =
-                i < kFixedButtons.size() ? std::optional(kFixedButtons[i]) : std::nullopt;
+            std::optional<Command> fixed;
+            if (i < kFixedButtons.size()) {
+                fixed = kFixedButtons[i];
+            }
             give({true, static_cast<int>(i)}, fixed, signals);
         }
     }
