@@ -165,5 +165,59 @@ TEST(JointLoads, AStrongMotorStaysAtTheLimitOfItsJoint) {
     }
 }
 
+/// Largest gap (m) in 5 s of a scissor lift: two crossed bars of 2 m and 0.2 kg under a table. Its
+/// slider at the floor pushes with twice the force that lifts a crate of `load` kg.
+Real gapOfScissors(Real rate, Real load) {
+    World world{{.gravity = support::kEarth}};
+    const BodyId floor =
+        world.add({.shape = Box{20, 1}, .position = {0, Real(-0.5)}, .type = BodyType::Static});
+    const auto add = [&](Shape shape, Vec2 at, Real density, Real angle = 0) {
+        return world.add({.shape = shape,
+                          .position = at,
+                          .rotation = Rot::fromAngle(angle),
+                          .density = density,
+                          .flags = kDisabled});
+    };
+    const Real c = std::cos(Real(0.5));
+    const Real s = std::sin(Real(0.5));
+    const BodyId rising = add(Box{2, Real(0.1)}, {0, s + Real(0.5)}, 1, Real(0.5));
+    const BodyId falling = add(Box{2, Real(0.1)}, {0, s + Real(0.5)}, 1, Real(-0.5));
+    const BodyId foot = add(Box{Real(0.3), Real(0.3)}, {c, Real(0.5)}, 4);
+    const BodyId shoe = add(Box{Real(0.3), Real(0.3)}, {c, 2 * s + Real(0.5)}, 4);
+    const BodyId table = add(Box{2 * c, Real(0.1)}, {0, 2 * s + Real(0.5)}, load / (Real(0.2) * c));
+    std::vector<JointEnds> pins;
+    const auto pin = [&](BodyId a, Vec2 onA, BodyId b, Vec2 onB) {
+        pins.push_back({.a = a, .b = b, .anchorA = onA, .anchorB = onB});
+        world.add(RevoluteJoint{.ends = pins.back()});
+    };
+    pin(rising, {}, falling, {});
+    pin(floor, {-c, 1}, rising, {-1, 0});
+    pin(foot, {}, falling, {1, 0});
+    pin(falling, {-1, 0}, table, {-c, 0});
+    pin(rising, {1, 0}, shoe, {});
+    world.add(PrismaticJoint{.ends = {.a = table, .b = shoe, .anchorA = {c, 0}}, .axis = {1, 0}});
+    world.add(PrismaticJoint{.ends = {.a = floor, .b = foot, .anchorA = {c, 1}},
+                             .axis = {1, 0},
+                             .motorSpeed = Real(-0.2),
+                             .motorForce = 20 * load * c / s});
+    Real widest = 0;
+    for (int step = 0; step < static_cast<int>(5 * rate); ++step) {
+        world.step(1 / rate);
+        for (const JointEnds& ends : pins) {
+            widest = std::max(widest, length(joints::gapOf(world, ends)));
+        }
+    }
+    return widest;
+}
+
+// Loops of soft pins opened under 20 kg: by 53 mm at 240 Hz, 286 mm at 30.
+TEST(JointLoads, AScissorLiftStaysTogetherAtAnyRate) {
+    for (const Real rate : {Real(30), Real(60), Real(144), Real(240)}) {
+        for (const Real load : {Real(2), Real(20)}) {
+            EXPECT_LT(gapOfScissors(rate, load), Real(0.04)) << rate << " " << load;
+        }
+    }
+}
+
 } // namespace
 } // namespace kodo

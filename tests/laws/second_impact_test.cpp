@@ -218,7 +218,7 @@ TEST(SecondImpact, NothingHangsInTheAirWithAVelocity) {
 }
 
 // On stairs, a chain with two sides, a capsule beyond a convex vertex has no contact point. It was
-// stopped in each step as if it touched, and hung there for ever: at least one of six in 16 to 20
+// stopped in each step as if it touched, and hung there for ever: at least one of six in 15 to 20
 // of 100 throws.
 TEST(SecondImpact, NoCapsuleHangsInTheAirOverStairs) {
     for (const Real unit : {Real(1), Real(0.2)}) {

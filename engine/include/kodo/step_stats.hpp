@@ -21,7 +21,7 @@ struct StepStats {
     std::size_t contacts = 0; // visits of contacts by the solver, summed over all passes
     std::size_t joints = 0;   // joints of awake bodies
     /// Parts into which the soft solver divided each substep of the island that needed the most,
-    /// up to 8: for heavy bodies on light ones, and for very large forces.
+    /// up to 8: for heavy bodies on light ones, pins under a load, and very large forces.
     std::uint32_t mostParts = 1;
     std::size_t refinedBodies = 0; // bodies of islands with more than one part
     std::uint64_t pairWork = 0;    // pairs of nodes of bounds trees compared, all steps so far

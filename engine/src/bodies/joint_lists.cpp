@@ -10,7 +10,6 @@ void JointLists::clear() {
     lists_.clear();
     pairs_.clear();
     size_ = 0;
-    excluding_ = 0;
 }
 
 void JointLists::add(std::uint32_t joint, std::uint32_t a, std::uint32_t b, bool excludes) {
@@ -18,14 +17,12 @@ void JointLists::add(std::uint32_t joint, std::uint32_t a, std::uint32_t b, bool
     pairs_[joint] = {a, b, excludes};
     lists_.add(joint, a, b);
     size_ += 1;
-    excluding_ += excludes ? 1 : 0;
 }
 
 void JointLists::remove(std::uint32_t joint) {
-    const auto [a, b, excludes] = pairs_[joint];
-    lists_.remove(joint, a, b);
+    const Pair& pair = pairs_[joint];
+    lists_.remove(joint, pair.a, pair.b);
     size_ -= 1;
-    excluding_ -= excludes ? 1 : 0;
 }
 
 bool JointLists::exclude(std::uint32_t a, std::uint32_t b) const {

@@ -21,8 +21,6 @@ public:
     void add(std::uint32_t joint, std::uint32_t a, std::uint32_t b, bool excludes);
     void remove(std::uint32_t joint);
     std::size_t size() const { return size_; }
-    /// True if each joint forbids the contact of its bodies.
-    bool allExclude() const { return excluding_ == size_; }
     /// True if a joint forbids a contact between the two bodies. Takes as long as the shorter list.
     bool exclude(std::uint32_t a, std::uint32_t b) const;
     bool hasAny(std::uint32_t body) const { return lists_.firstOf(body) != PairLists::kEnd; }
@@ -45,10 +43,9 @@ private:
         bool excludes = false;
     };
 
-    PairLists lists_;           // by body
-    std::vector<Pair> pairs_;   // by joint
-    std::size_t size_ = 0;      // joints
-    std::size_t excluding_ = 0; // joints that exclude a contact
+    PairLists lists_;         // by body
+    std::vector<Pair> pairs_; // by joint
+    std::size_t size_ = 0;    // joints
 };
 
 } // namespace KODO_PRECISION

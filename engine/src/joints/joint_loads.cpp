@@ -2,6 +2,7 @@
 // Loads of the joints in a step, and joints that break under them.
 #include "joints/anchor.hpp"
 #include "joints/joint_set.hpp"
+#include "math/decay.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -31,9 +32,6 @@ void JointSet::boundBias(const ContactSet& contactSet, Real slop, Real pushSpeed
     // With a sixteenth, the joint opens so far that it closes with force once the bodies have
     // parted.
     const Real touching = pushSpeed / 4;
-    if (lists_.allExclude()) {
-        return; // no joint lets its bodies collide, nor is any left bounded: see setDef()
-    }
     for (const std::uint32_t index : awake_) {
         Joint& joint = joints_[index];
         joint.mostBias = Joint::kNoBound;
@@ -48,12 +46,17 @@ void JointSet::boundBias(const ContactSet& contactSet, Real slop, Real pushSpeed
 }
 
 std::span<const BrokenJoint> JointSet::endStep(Real dt) {
+    // Without a hold, a lift sinks with few substeps and rises with many, for ever.
+    constexpr Real kHold = 8;        // times the load of a step
+    const Real kept = decay(2 * dt); // a peak lasts for half a second
     broken_.clear();
     for (const std::uint32_t index : awake_) {
         Joint& joint = joints_[index];
         if (!std::exchange(joint.solved, false)) {
             continue; // not solved in this step: the load stays
         }
+        const Real load = std::exchange(joint.load, Real(0));
+        joint.held = std::max({load, std::min(joint.held, kHold * load), kept * joint.held});
         joint.force = joint.linearImpulseSum / dt;
         joint.torque = joint.angularImpulseSum / dt;
         const JointEnds* const ends = endsOf(joint.def);

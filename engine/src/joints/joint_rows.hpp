@@ -53,6 +53,12 @@ struct PointConstraint {
     void solve(BodyVelocity& a, BodyVelocity& b, Vec2& impulse, bool biased) const;
     /// The impulse that solve would add.
     Vec2 missing(const BodyVelocity& a, const BodyVelocity& b, Vec2 impulse, bool biased) const;
+    /// The relative velocity of the anchors by an impulse.
+    Vec2 give(const BodyVelocity& a, const BodyVelocity& b, Vec2 impulse) const {
+        return (a.invMass + b.invMass) * impulse +
+               a.invInertia * cross(armA, impulse) * perp(armA) +
+               b.invInertia * cross(armB, impulse) * perp(armB);
+    }
     /// The impulse that removes a relative velocity of the anchors: K^-1 speed. 0 if both bodies
     /// are immovable. `turned` is CoupledAngle::removed().
     Vec2 stopping(const BodyVelocity& a, const BodyVelocity& b, Vec2 speed, Real turned = 0) const;

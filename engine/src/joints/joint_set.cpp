@@ -180,11 +180,7 @@ void JointSet::findBusy(const Bodies& bodies, bool changed) {
         return;
     }
     awakeStale_ = false;
-    listBusy(bodies);
-}
-
-/// Visits either all joints or those of the awake bodies, whichever are fewer.
-void JointSet::listBusy(const Bodies& bodies) {
+    // Visits either all joints or those of the awake bodies, whichever are fewer.
     constexpr std::size_t kFew = 4; // times as many awake bodies as joints: walks all joints
     awake_.clear();
     if (joints_.size() < kFew * bodies.awake.size()) {
@@ -348,10 +344,11 @@ void JointSet::forgetUnsound() {
 
 /// The sums of a step are left out: the next step resets them.
 void JointSet::Joint::visitState(StateStream& stream) {
-    static_assert(countMembers<Joint>() == 12, "list a new member, or leave it out");
-    stream(def, point, axes, counted, force, torque);
+    static_assert(countMembers<Joint>() == 15, "list a new member, or leave it out");
+    stream(def, point, axes, counted, force, torque, held, atLimit);
     const Real impulses = std::accumulate(axes.begin(), axes.end(), point.x + point.y);
-    require(!stream.reads() || std::isfinite(impulses + force.x + force.y + torque + counted),
+    require(!stream.reads() ||
+                std::isfinite(impulses + force.x + force.y + torque + counted + held),
             "an impulse or an angle of a joint is not finite");
 }
 

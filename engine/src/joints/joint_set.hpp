@@ -33,9 +33,12 @@ public:
         Real angularImpulseSum = 0; // N m s, on b, over the step, from angular constraints
         Vec2 force;                 // N, on b, mean of the last step that solved the joint
         Real torque = 0;            // N m, on b, mean of that step
+        bool atLimit = false;       // a row along an axis pressed on a limit in the last step
         bool solved = false;        // in this step; false if both bodies are inactive
         Real springBound = 0;       // 1/s^2, of this step, see SpringRates
         Real stiffness = 0;         // N/m, of a spring, of this step
+        Real load = 0;              // 1/s^2, of this step, see addLoad()
+        Real held = 0;              // 1/s^2, recent load that still counts, see endStep()
         Real mostBias = kNoBound;   // m/s or rad/s, see boundBias()
 
         static constexpr Real kNoBound = std::numeric_limits<Real>::infinity();
@@ -49,6 +52,11 @@ public:
             return slot == 0 ? point.x : slot == 1 ? point.y : axes[slot - 2];
         }
         void visitState(StateStream& stream);
+
+        static constexpr Real kMostTurn = Real(0.0125), kMost = Real(1e12); // rad; 1/s^2
+        /// Counts the load of a row. `apart`: acceleration (m/s^2 or rad/s^2) to which it drives
+        /// the bodies; `gap` (m or rad): how far it may open the joint.
+        void addLoad(Real apart, Real gap) { load = std::min(std::max(load, apart / gap), kMost); }
     };
 
     JointId add(const JointDef& def);
@@ -131,15 +139,6 @@ public:
             }
         }
     }
-    /// Visits the joints of a body in order.
-    template <typename Visit>
-    void forEachOf(std::uint32_t body, Visit visit) const {
-        if (lists_.hasAny(body)) {
-            for (const std::uint32_t index : lists_.of(body)) {
-                visit(joints_[index]);
-            }
-        }
-    }
     /// Visits the joints of a body, in no particular order.
     template <typename Visit>
     void visitOf(std::uint32_t body, Visit visit) const {
@@ -206,7 +205,6 @@ private:
     void list(std::uint32_t index);
     void unlist(std::uint32_t index);
     void notePairChange(const JointDef& def);
-    void listBusy(const Bodies& bodies);
     void listHinges(const Bodies& bodies);
     void measureHinges(Bodies& bodies, const JointPass& pass);
     void raiseInertias(Bodies& bodies, const JointPass& pass);

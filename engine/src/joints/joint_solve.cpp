@@ -172,6 +172,16 @@ private:
     bool inTree_;
 };
 
+/// Counts the load of a limit in a substep of h (s), without what a motor below it bears.
+void countLimit(JointSet::Joint& joint, const JointFrame& frame, const AxisConstraint& axis,
+                Real impulse, Real h) {
+    const Real load = std::abs(impulse) - axis.borne;
+    if (load > 0 && axis.axis == Vec2{}) {
+        joint.addLoad(load * axis.give(frame.a, frame.b, false) / h, JointSet::Joint::kMostTurn);
+    }
+    joint.atLimit = joint.atLimit || (load > 0 && axis.axis != Vec2{});
+}
+
 } // namespace
 
 void JointSet::warmStart(Bodies& bodies, const JointPass& pass) {
@@ -225,6 +235,7 @@ void JointSet::solve(Bodies& bodies, const JointPass& pass) {
     for (const std::uint32_t index : own_) {
         Joint& joint = joints_[index];
         joint.solved = true;
+        joint.atLimit = joint.atLimit && !pass.settle;
         HeldRows* const rows = trees_.rowsOf(index);
         if (rows != nullptr) {
             *rows = {.armA = {}, .armB = {}, .pull = rows->pull};
@@ -249,6 +260,12 @@ void JointSet::solve(Bodies& bodies, const JointPass& pass) {
                 if (pass.biased || relax != Relax::Done) {
                     constraint.solve(frame.a, frame.b, impulse,
                                      pass.biased || relax == Relax::Same);
+                }
+                if constexpr (requires { constraint.bounds; }) {
+                    if (!pass.biased && pass.settle && relax == Relax::Rigid &&
+                        !isHeld(constraint, relax) && constraint.softness.impulseScale > 0) {
+                        countLimit(joint, frame, constraint, impulse, pass.h);
+                    }
                 }
                 if (!pass.biased && pass.last) {
                     constraint.addToSums(impulse, joint.linearImpulseSum, joint.angularImpulseSum);

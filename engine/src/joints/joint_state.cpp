@@ -96,10 +96,8 @@ std::vector<JointId> JointSet::ids() const {
 
 std::vector<JointId> JointSet::ids(std::uint32_t body) const {
     std::vector<JointId> all;
-    if (lists_.hasAny(body)) {
-        for (const std::uint32_t index : lists_.of(body)) {
-            all.push_back(idAt(index));
-        }
+    for (const std::uint32_t index : lists_.of(body)) {
+        all.push_back(idAt(index));
     }
     return all;
 }

@@ -188,7 +188,7 @@ void SleepSystem::wakeAround(Bodies& bodies, ContactSet& contacts, const JointSe
     for (const std::uint32_t other : members_) {
         restartCount(bodies.sleep[other], bodies.pose[other]);
     }
-    joints.forEachOf(body, [&](const JointSet::Joint& joint) {
+    joints.visitOf(body, [&](const JointSet::Joint& joint) {
         const std::uint32_t a = firstBody(joint.def).index;
         disturb(bodies, a == body ? secondBody(joint.def).index : a);
     });

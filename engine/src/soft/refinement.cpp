@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "soft/refinement.hpp"
 
-#include "joints/anchor.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -49,44 +47,14 @@ Real loadOf(const Bodies& bodies, const Contact& contact, std::uint32_t body, Re
     return (own + other) / own * size;
 }
 
-/// The same for the limit of a rope, rod, slider or wheel that the body loads. A row of such
-/// joints carries the load on light bodies at both ends, so it counts twice.
-Real loadOf(const Bodies& bodies, const JointDef& def, std::uint32_t body, Real slop) {
-    const auto atLimit = [&](const auto& kind) {
-        const JointEnds& ends = kind.ends;
-        const Rot rotationA = bodies.pose[ends.a.index].rotation;
-        const Vec2 armA = armOf(bodies, ends.a.index, rotationA, ends.anchorA);
-        const Vec2 armB =
-            armOf(bodies, ends.b.index, bodies.pose[ends.b.index].rotation, ends.anchorB);
-        const Vec2 gap = (bodies.pose[ends.b.index].position + armB) -
-                         (bodies.pose[ends.a.index].position + armA);
-        Real place = length(gap);
-        if constexpr (requires { kind.axis; }) {
-            place = dot(rotationA * kind.axis, gap);
-        }
-        return kind.limits &&
-               (place < kind.limits->lower + slop || place > kind.limits->upper - slop);
-    };
-    const bool loaded = std::visit(
-        [&](const auto& kind) {
-            if constexpr (requires {
-                              kind.limits->lower;
-                              kind.ends;
-                              kind.length;
-                          }) {
-                return atLimit(kind);
-            } else if constexpr (requires { kind.axis; }) {
-                return atLimit(kind);
-            } else {
-                return false;
-            }
-        },
-        def);
-    const std::uint32_t a = firstBody(def).index;
-    const std::uint32_t b = secondBody(def).index;
+/// The same for a joint at a limit. A row of joints carries the load on light bodies at both ends,
+/// so it counts twice.
+Real loadOf(const Bodies& bodies, const JointSet::Joint& joint, std::uint32_t body) {
+    const std::uint32_t a = firstBody(joint.def).index;
+    const std::uint32_t other = a == body ? secondBody(joint.def).index : a;
     const Real own = bodies.motion[body].invMass;
-    const Real other = bodies.motion[a == body ? b : a].invMass;
-    return loaded ? 2 * (own + other) / own * length(bodies.acceleration[body].linear) : 0;
+    const Real ratio = (own + bodies.motion[other].invMass) / own;
+    return joint.atLimit ? 2 * ratio * length(bodies.acceleration[body].linear) : 0;
 }
 
 } // namespace
@@ -166,7 +134,7 @@ void Refinement::findSeeds(const Step& step, Real most) {
         });
         load /= std::max(Real(1), carriers / kCarriers);
         step.joints.visitOf(body, [&](const JointSet::Joint& joint) {
-            load = std::max(load, loadOf(bodies, joint.def, body, step.tolerances.slop));
+            load = std::max(load, loadOf(bodies, joint, body));
         });
         addSeed(body, load / most);
     }
@@ -217,6 +185,12 @@ bool Refinement::find(const Step& step) {
     const Real most = kMaxCompression * step.tolerances.slop * omega * omega; // m/s^2
     seeds_.clear();
     findSeeds(step, most);
+    const Real jointOmega = 2 * std::numbers::pi_v<Real> * step.jointHertz;
+    step.joints.forEachBusy([&](const JointSet::Joint& joint) {
+        const std::uint32_t a = firstBody(joint.def).index;
+        addSeed(step.bodies.locked(a) ? secondBody(joint.def).index : a,
+                joint.held / (jointOmega * jointOmega));
+    });
     findArrivals(step, most);
     if (!seeds_.empty()) {
         std::sort(seeds_.begin(), seeds_.end(), std::greater<>()); // total order: bodies are unique

@@ -25,15 +25,17 @@ inline namespace KODO_PRECISION {
 ///
 /// and by a quarter of that against a body of infinite mass. Many contacts share the load. Stiffer
 /// contacts need shorter substeps. Joints of the island become stiffer with them. A limit of a
-/// rope, rod or prismatic joint that a heavy body reaches counts like a contact. A blow counts from
-/// a ratio of masses of 16 on; up to that the passes of a step transmit it.
+/// rope, rod or prismatic joint that a heavy body loads counts like a contact. Pins and their
+/// limits count by the load that they carried; see JointSet::Joint::addLoad(). A blow counts from a
+/// ratio of masses of 16 on; up to that the passes of a step transmit it.
 class Refinement {
 public:
     static constexpr std::uint32_t kLevels = BlockBins::kLevels;
 
     struct Step : StepInput {
-        Real hertz; // of contacts in a whole substep
-        Real h;     // s, of a whole substep
+        Real hertz;      // of contacts in a whole substep
+        Real jointHertz; // likewise, of joints
+        Real h;          // s, of a whole substep
     };
     /// Sizes the array by body.
     void makeRoom(const Bodies& bodies) { resizeByBody(levels_, bodies); }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <limits>
 
 #include "lanes/contact_block.hpp"
@@ -161,7 +162,12 @@ void RevoluteBlocks::fillAngles(const Bodies& bodies, const JointSet::Joint& joi
     }
 }
 
-void RevoluteBlocks::end(JointSet& joints) {
+void RevoluteBlocks::end(const Bodies& bodies, JointSet& joints, Real h, Real slop) {
+    constexpr Real kShare = Real(0.08); // of the radius of the smaller body: how far pins may open
+    const auto sizeOf = [&](BodyId body) {
+        return bodies.motion[body.index].invMass > 0 ? bodies.geometry(body.index).boundingRadius
+                                                     : std::numeric_limits<Real>::infinity();
+    };
     for (std::size_t lane = 0; lane < jointOf_.size(); ++lane) {
         if (jointOf_[lane] == kNone) {
             continue;
@@ -172,10 +178,20 @@ void RevoluteBlocks::end(JointSet& joints) {
         joint.point = get(block.impulse, at);
         joint.linearImpulseSum = get(block.total, at);
         joint.solved = true;
+        const JointEnds& ends = std::get<RevoluteJoint>(joint.def).ends;
+        const BodyVelocity& a = bodies.motion[ends.a.index];
+        const BodyVelocity& b = bodies.motion[ends.b.index];
+        const PointConstraint anchors{
+            .armA = get(block.armA, at), .armB = get(block.armB, at), .error = {}};
+        joint.addLoad(length(anchors.give(a, b, joint.point)) / h,
+                      std::max(kShare * std::min(sizeOf(ends.a), sizeOf(ends.b)), slop));
         if (const std::uint32_t k = use_[lane / kJoints].angles; k != RevoluteUse::kNoAngles) {
             const RevoluteAngles& angles = angles_[k];
             joint.axes = {angles.motor[at], angles.below[at], angles.above[at]};
             joint.angularImpulseSum = angles.total[at];
+            // what a motor presses on it, a limit bears without giving way
+            const Real limit = std::max(joint.axes[1], joint.axes[2]) - std::abs(joint.axes[0]);
+            joint.addLoad(limit * anchors.hinged(a, b) / h, JointSet::Joint::kMostTurn);
         }
     }
 }

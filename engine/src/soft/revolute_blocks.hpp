@@ -21,8 +21,8 @@ class RevoluteBlocks {
 public:
     /// Takes the joints of JointSet::takeRevolutes().
     void begin(Bodies& bodies, JointSet& joints);
-    /// Writes the impulses back to the joints.
-    void end(JointSet& joints);
+    /// Writes the impulses of a substep of h (s), and their loads, back to the joints.
+    void end(const Bodies& bodies, JointSet& joints, Real h, Real slop);
     bool empty() const { return blocks_.empty(); }
 
     /// Updates arms, gaps, masses and angles after the bodies have moved.

@@ -4,6 +4,7 @@
 #include "bodies/integrate.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -154,9 +155,9 @@ void SoftSolver::refine(const Bodies& bodies, ContactSet& contactSet) {
 void SoftSolver::solveHeld(const StepInput& step) {
     const auto& [bodies, contactSet, joints, settings, tolerances, dt, team, count, work] = step;
     const SoftSettings& soft = step.solver<SoftSettings>();
-    const Real hertz =
-        std::min(soft.contactHertz, kMostCycles * static_cast<Real>(soft.substeps) / dt);
-    if (refinement_.find({step, hertz, dt / static_cast<Real>(soft.substeps)})) {
+    const Real h = dt / static_cast<Real>(soft.substeps);
+    const Real hertz = std::min(soft.contactHertz, kMostCycles / h);
+    if (refinement_.find({step, hertz, std::min(soft.jointHertz, kMostJointCycles / h), h})) {
         refine(bodies, contactSet);
     }
     collect(step);
@@ -198,7 +199,10 @@ void SoftSolver::solveGroup(const StepInput& step, std::uint32_t level) {
     const Real hertz = std::min(soft.contactHertz * static_cast<Real>(parts), kMostCycles / h);
     const Real jointHertz =
         std::min(soft.jointHertz * static_cast<Real>(parts), kMostJointCycles / h);
-    JointPass jointPass{h, Softness::from(jointHertz, soft.jointDamping, h)};
+    // Stiffer joints close their gaps no faster, so that what a load has opened adds no energy.
+    const Real damping =
+        soft.jointDamping * static_cast<Real>(parts) * std::sqrt(static_cast<Real>(parts));
+    JointPass jointPass{h, Softness::from(jointHertz, damping, h)};
     jointPass.springPasses = kSpringPasses;
     jointPass.mostBias = soft.pushSpeed * tolerances.unit();
     joints.beginGroup(bodies, DirectSolve::LoadedTrees, refinement_.levels(), level);
@@ -224,7 +228,7 @@ void SoftSolver::solveGroup(const StepInput& step, std::uint32_t level) {
     run.pass.settings.thrown = kCarriesNothing * tolerances.slop;
     preparePasses(run);
     runSubsteps(run, substeps);
-    revolutes_.end(joints);
+    revolutes_.end(bodies, joints, h, tolerances.slop);
     joints.scaleImpulses(static_cast<Real>(parts));
     work.contacts += (2 * blocks.size(level)) * static_cast<std::size_t>(substeps);
 }
