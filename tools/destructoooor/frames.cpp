@@ -132,21 +132,7 @@ kodo::World pileOf(std::size_t bodies) {
     kodo::World world({.gravity = {0, -10}, .settings = kodo::balanced()});
     const std::size_t rows = (bodies + kAcross - 1) / kAcross;
     addRoom(world, 62, 2 + 1.3_r * Real(rows));
-    for (std::size_t i = 0; i < bodies; ++i) {
-        const Vec2 at{Real(i % kAcross) * 1.2_r - 29.4_r, 1 + Real(i / kAcross) * 1.3_r};
-        const Real size = 0.3_r + 0.06_r * Real(i * 7 % 5);
-        switch (i % 3) {
-        case 0:
-            addBall(world, at, size);
-            break;
-        case 1:
-            addBox(world, at, 2 * size, 1.5_r * size);
-            break;
-        default:
-            world.add({.shape = kodo::Polygon{{{-size, -size}, {size, -size}, {0, size}}},
-                       .position = at});
-        }
-    }
+    addMixed(world, bodies, kAcross);
     return world;
 }
 

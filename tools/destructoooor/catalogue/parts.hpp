@@ -67,6 +67,26 @@ inline BodyId addWall(kodo::World& world, Vec2 from, Vec2 to, Real thickness = 1
                       .type = kodo::BodyType::Static});
 }
 
+/// Balls, boxes and triangles in rows above the ground, `across` of them side by side.
+inline void addMixed(kodo::World& world, std::size_t bodies, std::size_t across) {
+    for (std::size_t i = 0; i < bodies; ++i) {
+        const Vec2 at{Real(i % across) * 1.2_r - Real(across - 1) * 0.6_r,
+                      1 + Real(i / across) * 1.3_r};
+        const Real size = 0.3_r + 0.06_r * Real(i * 7 % 5);
+        switch (i % 3) {
+        case 0:
+            addBall(world, at, size);
+            break;
+        case 1:
+            addBox(world, at, 2 * size, 1.5_r * size);
+            break;
+        default:
+            world.add({.shape = kodo::Polygon{{{-size, -size}, {size, -size}, {0, size}}},
+                       .position = at});
+        }
+    }
+}
+
 /// Static walls around a room from x = -width / 2 to width / 2 and from y = 0 to height.
 inline void addRoom(kodo::World& world, Real width, Real height,
                     const kodo::Material& material = {}) {

@@ -108,21 +108,7 @@ Ids buildPit(kodo::World& world) {
     addGround(world);
     addWall(world, {6, 0}, {6, 12});
     addWall(world, {-6, 12}, {-6, 0});
-    for (int i = 0; i < 90; ++i) {
-        const Vec2 at{Real(i % 9) * 1.2_r - 4.8_r, 1 + Real(i / 9) * 1.3_r};
-        const Real size = 0.3_r + 0.06_r * Real(i * 7 % 5);
-        switch (i % 3) {
-        case 0:
-            addBall(world, at, size);
-            break;
-        case 1:
-            addBox(world, at, 2 * size, 1.5_r * size);
-            break;
-        default:
-            world.add({.shape = kodo::Polygon{{{-size, -size}, {size, -size}, {0, size}}},
-                       .position = at});
-        }
-    }
+    addMixed(world, 90, 9);
     return {};
 }
 
