@@ -277,6 +277,8 @@ class Game(Trial):
         self.arrives(TITLE)
         self.passes(60)
         self.shot("phone-title")
+        row = self.place("Map")[1] - self.place("Play")[1]
+        self.expect(row >= 40, f"a row of the title is {row} pixels high, enough for a finger")
         self.tap("Map")
         self.expect(self.arrives(LEVELS), "a tap on a word of the title opens the map")
         self.draws(30)

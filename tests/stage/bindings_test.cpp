@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <apart/stage/canvas/layout.hpp>
 #include <apart/stage/controls/bindings.hpp>
 #include <apart/stage/records/profile_file.hpp>
 
@@ -43,6 +44,28 @@ TEST(Bindings, ATouchScreenIsToldOfFingers) {
     rig.press(Command::Pause);
     EXPECT_TRUE(rig.picture().says("a finger: move"));
     EXPECT_FALSE(rig.picture().says("left button"));
+}
+
+TEST(Bindings, ATouchScreenHasATitleForFingers) {
+    StageDef def = StageRig::twoLevels();
+    def.profile.bindings.fingers = true;
+    def.quits = false;
+    StageRig rig(std::move(def));
+    const Menu& menu = rig.stage.menu();
+    const std::size_t count = menu.items().size();
+    ASSERT_GT(count, 4u);
+    const Real pixels = 360 / layout::kShownTitle.extent().y; // for a metre on a small phone
+    for (std::size_t i = 0; i < count; ++i) {
+        const Aabb place = menu.place(i);
+        EXPECT_GE(place.extent().y * pixels, 40);
+        EXPECT_TRUE(layout::kShownTitle.contains(place.lower));
+        EXPECT_TRUE(layout::kShownTitle.contains(place.upper));
+        for (std::size_t k = 0; k < count; ++k) {
+            EXPECT_EQ(menu.place(k).contains(place.center()), k == i);
+        }
+    }
+    rig.click(menu.place(count - 1).center());
+    EXPECT_EQ(rig.stage.screen(), Screen::Options);
 }
 
 TEST(Bindings, AKeyThatIsUsedIsRefused) {

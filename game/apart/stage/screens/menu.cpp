@@ -12,7 +12,6 @@ namespace apart {
 
 namespace {
 
-constexpr Real kRow = Real(0.98);    // m, between items
 constexpr Real kBarLeft = Real(0.5); // m, from the centre
 constexpr Real kBarRight = Real(3.0);
 constexpr int kNotch = 10; // percent
@@ -31,8 +30,12 @@ std::string valueText(const Gauge& gauge) {
 } // namespace
 
 Aabb Menu::place(std::size_t item) const {
-    const Real top = top_ - kRow * static_cast<Real>(item);
-    return {{-halfWidth_, top - kRow + Real(0.1)}, {halfWidth_, top}};
+    const std::size_t rows = (items_.size() + columns_ - 1) / columns_;
+    const Real top = top_ - row_ * static_cast<Real>(item % rows);
+    const Real fromMiddle =
+        static_cast<Real>(item / rows) - Real(0.5) * static_cast<Real>(columns_ - 1);
+    const Real center = fromMiddle * 2 * halfWidth_;
+    return {{center - halfWidth_, top - row_ + Real(0.1)}, {center + halfWidth_, top}};
 }
 
 Aabb Menu::bar(std::size_t item) const {
@@ -206,9 +209,10 @@ void Menu::draw(Canvas& canvas) const {
         } else if (!items_[i].columns.empty()) {
             drawRow(canvas, i, color);
         } else {
-            canvas.text(
-                items_[i].label, {0, box.lower.y + Real(0.27)},
-                {Real(0.56), color, Typeface::Bold, Align::Middle, 2 * halfWidth_ - Real(0.6)});
+            canvas.text(items_[i].label,
+                        {box.center().x, box.lower.y + Real(0.27) + (row_ - kRow) / 2},
+                        {columns_ > 1 ? Real(0.7) : Real(0.56), color, Typeface::Bold,
+                         Align::Middle, 2 * halfWidth_ - Real(0.6)});
         }
     }
 }

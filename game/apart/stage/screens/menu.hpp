@@ -69,6 +69,12 @@ public:
     Menu(std::vector<MenuItem> items, Real top, Real halfWidth = Real(5.7))
         : items_(std::move(items)), top_(top), halfWidth_(halfWidth) {}
 
+    /// Two columns of items without gauges, each high enough for a finger on a phone.
+    void fitFingers() {
+        columns_ = 2;
+        row_ = Real(2.24);
+    }
+
     std::optional<MenuOutcome> take(const Signals& signals);
     void setPercent(std::size_t dial, int percent);
     void setLabel(Action action, std::string label);
@@ -84,6 +90,8 @@ public:
     Aabb bar(std::size_t item) const;
 
 private:
+    static constexpr Real kRow = Real(0.98); // m, between items
+
     std::optional<MenuOutcome> take(Command command);
     std::optional<MenuOutcome> click(Vec2 place) const;
     std::optional<MenuOutcome> turned(const MenuItem& item, int percent) const;
@@ -93,7 +101,9 @@ private:
 
     std::vector<MenuItem> items_;
     Real top_ = 0;               // m, top of the first item
-    Real halfWidth_ = Real(5.7); // m
+    Real halfWidth_ = Real(5.7); // m, of an item
+    Real row_ = kRow;            // m
+    std::size_t columns_ = 1;    // filled from the left
     std::size_t chosen_ = 0;
 };
 

@@ -47,7 +47,11 @@ Menu titleMenu(const TitleOffer& offer, const Records& records) {
     if (offer.quits) {
         items.push_back({Action::Quit, "Quit"});
     }
-    return {std::move(items), Real(11.48)};
+    Menu menu(std::move(items), Real(11.48));
+    if (records.profile().bindings.fingers) {
+        menu.fitFingers();
+    }
+    return menu;
 }
 
 void refreshTitle(Menu& menu, const TitleOffer& offer, const Records& records) {
