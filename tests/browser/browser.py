@@ -31,10 +31,12 @@ class Browser:
                     "started" in line)
         threading.Thread(target=self.driver.stdout.read, daemon=True).start()
         self.base = f"http://127.0.0.1:{port}/session"
+        # Without a graphics card Chromium draws WebGL by SwiftShader, and puts the page together itself.
+        # With --use-angle=swiftshader OpenGL in software would do that, too, at 15 ms a frame.
         arguments = (
             "--headless --no-sandbox --disable-quic --no-first-run --disable-background-networking"
-            " --disable-component-update --disable-sync --use-gl=angle --use-angle=swiftshader"
-            f" --enable-unsafe-swiftshader --user-data-dir={profile} --window-size=1280,800"
+            " --disable-component-update --disable-sync --enable-unsafe-swiftshader"
+            f" --user-data-dir={profile} --window-size=1280,800"
         ).split()
         options = {"args": arguments, "binary": shutil.which("chromium"), "prefs": preferences or {}}
         # A loaded machine without a graphics card draws a frame a second.

@@ -2,6 +2,7 @@
 // The game in a page. The page prepares typefaces and storage, then calls startGame().
 #include <apart/core/replay_link.hpp>
 #include <apart/front/setup.hpp>
+#include <apart/web/pixel_share.hpp>
 #include <apart/web/web_canvas.hpp>
 #include <apart/web/web_controls.hpp>
 #include <apart/web/web_speaker.hpp>
@@ -9,6 +10,7 @@
 #include <emscripten/emscripten.h>
 #include <emscripten/html5.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <memory>
 #include <optional>
@@ -21,6 +23,8 @@ namespace apart {
 namespace {
 
 constexpr const char* kElement = "#canvas";
+constexpr double kAspect = 1.6;       // of the picture, at least: layout::kShown
+constexpr double kFewestPixels = 360; // of its height, so that letters stay legible
 
 // Shows a sentence instead of the game.
 EM_JS(void, complain, (const char* sentence), { Module.complain(UTF8ToString(sentence)); });
@@ -41,15 +45,16 @@ struct Page {
     WebCanvas canvas;
     WebControls controls;
     WebSpeaker speaker;
-    double last = 0;   // ms
-    bool lost = false; // the context of the canvas
+    PixelShare pixelShare;
+    double density = 1; // pixels of the picture for one of the page
+    double last = 0;    // ms
+    bool lost = false;  // the context of the canvas
 };
 
 std::unique_ptr<Page> thePage;
 
-/// Fits the canvas to the page; the result is its size in pixels of the screen.
+/// Fits the canvas to the page; the result is its size in pixels.
 kodo_draw::Size fitCanvas(Page& page) {
-    const double density = emscripten_get_device_pixel_ratio();
     double width = 0;
     double height = 0;
     emscripten_get_element_css_size(kElement, &width, &height); // as it is on the page
@@ -58,6 +63,10 @@ kodo_draw::Size fitCanvas(Page& page) {
     if (turned) {
         std::swap(width, height);
     }
+    const double all = emscripten_get_device_pixel_ratio();
+    const double fewest =
+        std::min(all, kFewestPixels / std::max(1.0, std::min(width / kAspect, height)));
+    const double density = std::max(all * page.pixelShare.share(), fewest);
     const kodo_draw::Size wanted{static_cast<unsigned>(width * density),
                                  static_cast<unsigned>(height * density)};
     int nowX = 0;
@@ -67,6 +76,7 @@ kodo_draw::Size fitCanvas(Page& page) {
         emscripten_set_canvas_element_size(kElement, static_cast<int>(wanted.x),
                                            static_cast<int>(wanted.y));
     }
+    page.density = density;
     page.controls.setDensity(density);
     return wanted;
 }
@@ -76,6 +86,7 @@ void frame() {
     const double now = emscripten_get_now();
     const double seconds = (now - page.last) / 1000;
     page.last = now;
+    page.pixelShare.next(seconds);
     page.controls.setBindings(page.stage.records().profile().bindings);
     const Signals signals = page.controls.poll();
     if (page.controls.takePress()) {
@@ -285,14 +296,17 @@ extern "C" EMSCRIPTEN_KEEPALIVE int gameState(int what, int player) {
     }
 }
 
-/// Where one sees a name, for tests, as placeOf(): "x y" in pixels of the picture; "" if nowhere.
-/// Valid until the next call.
+/// Where one sees a name, for tests, as placeOf(): "x y" in pixels of the page, of a picture that
+/// is not turned; "" if nowhere. Valid until the next call.
 extern "C" EMSCRIPTEN_KEEPALIVE const char* gamePlace(const char* name) {
     static std::string place;
     const apart::Page& page = *apart::thePage;
     const std::optional<apart::Vec2> found = apart::placeOf(page.stage, name);
     const kodo_draw::Pixel pixel = page.canvas.camera().toPixels(found.value_or(apart::Vec2{}));
-    place = found ? std::to_string(pixel.x) + " " + std::to_string(pixel.y) : "";
+    const auto onPage = [&](float pixels) {
+        return std::to_string(static_cast<double>(pixels) / page.density);
+    };
+    place = found ? onPage(pixel.x) + " " + onPage(pixel.y) : "";
     return place.c_str();
 }
 
