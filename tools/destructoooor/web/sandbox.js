@@ -8,7 +8,7 @@ const kDrag = 0;
 const kDrop = 1;
 const kLooks = ["Joints", "Contacts", "Impulses", "Bounds", "Velocities", "Centres of mass", "Ids",
                 "Colours of islands"];
-const kGraphPause = 200; // ms
+const kMeasurePause = 200; // ms
 
 const kodo = await loadWasm(new URL("./sandbox.wasm", import.meta.url), {});
 const textAt = (at) => {
@@ -271,10 +271,11 @@ function refresh() {
   dials.forEach((show) => show());
   showProfiles();
   showTime();
+  showMeasures();
 }
 
 let shownVerdict = -1;
-let graphsAt = 0; // ms, when they were drawn
+let measuresAt = 0; // ms, when they were shown
 function showTime() {
   const [tick, first, last] = [kodo.sandbox_tick(), kodo.sandbox_firstTick(), kodo.sandbox_lastTick()];
   const time = element("time");
@@ -290,13 +291,14 @@ function showTime() {
     element("verdict").textContent =
       verdict < 0 ? "" : verdict === 1 ? "As expected." : "Not as expected.";
   }
+}
+
+function showMeasures() {
+  measuresAt = performance.now();
   measures.forEach(({ unit, value }, i) => {
     value.textContent = `${Number(kodo.sandbox_measure(i).toPrecision(4))} ${unit}`;
   });
-  if (performance.now() - graphsAt > kGraphPause) {
-    graphsAt = performance.now();
-    measures.forEach(drawGraph);
-  }
+  measures.forEach(drawGraph);
   const apart = kodo.sandbox_difference();
   element("difference").textContent = apart > 0 ? `apart by ${apart.toPrecision(3)} m` : "";
 }
@@ -390,6 +392,9 @@ function frame(now) {
   draw();
   if (steps > 0) {
     showTime();
+    if (performance.now() - measuresAt > kMeasurePause) {
+      showMeasures();
+    }
   }
   requestAnimationFrame(frame);
 }
