@@ -13,16 +13,16 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 
 /// The two ends of a joint; nullptr for a MouseJoint, which has one body.
-inline const JointEnds* endsOf(const JointDef& def) {
-    return std::visit(
-        [](const auto& kind) -> const JointEnds* {
-            if constexpr (requires { kind.ends; }) {
-                return &kind.ends;
-            } else {
-                return nullptr;
-            }
-        },
-        def);
+template <typename... Kinds>
+const JointEnds* endsOf(const std::variant<Kinds...>& def) {
+    const JointEnds* ends = nullptr;
+    const auto look = [&](const auto* kind) {
+        if constexpr (requires { kind->ends; }) {
+            ends = kind != nullptr ? &kind->ends : ends;
+        }
+    };
+    (look(std::get_if<Kinds>(&def)), ...); // std::visit() calls by a table, in WebAssembly
+    return ends;
 }
 
 /// Vector (m, world axes) from the centre of mass to an anchor, which is in the frame of the shape.
