@@ -36,7 +36,7 @@ TEST(Panel, TellsTimeNextMedalAndHonours) {
     def.marks = {marks};
     StageRig rig(std::move(def));
     const RecordingCanvas& canvas = rig.picture();
-    for (const char* text : {"0:00", "bronze from 100", "3 hits at most", "9 in one fall"}) {
+    for (const char* text : {"0:00", "bronze from 100", "3 hits at most", "a fall of 9"}) {
         EXPECT_TRUE(canvas.says(text)) << text;
     }
     rig.frames(2 * 60);

@@ -117,8 +117,8 @@ TEST(Popups, NeverOverlapOrLeaveTheField) {
     constexpr std::uint64_t kSeed = 21;
     SCOPED_TRACE("seed 21");
     support::RandomNumbers random(kSeed);
-    constexpr std::array<const char*, 5> kWords = {"pull it off", "the mounts give way soon",
-                                                   "welded", "a dozen!", "2 balls more"};
+    constexpr std::array<const char*, 5> kWords = {"pull now", "the mounts give way soon", "welded",
+                                                   "a dozen!", "2 balls more"};
     const Aabb field{{layout::kLeft, -1}, {layout::kRight, layout::kTop}};
     Popups popups;
     for (int tick = 0; tick < 3000 && !HasFailure(); ++tick) {

@@ -255,7 +255,7 @@ TEST(Medals, TheResultAndTheMapShowThem) {
     ASSERT_GT(rig.stage.session().game().score(), 20);
     EXPECT_TRUE(rig.picture().says("silver medal, gold from 9 999 999"));
     EXPECT_TRUE(rig.picture().says("99 hits at most"));
-    EXPECT_TRUE(rig.picture().says("7 in one fall"));
+    EXPECT_TRUE(rig.picture().says("a fall of 7"));
     EXPECT_TRUE(rig.stage.records().profile().bestOf(Mode::Standard, name).fewHits);
     EXPECT_EQ(rig.stage.records().medalOf(Mode::Standard, name), Medal::Silver);
     EXPECT_EQ(rig.stage.records().medalOf(Mode::Pure, name), Medal::None);

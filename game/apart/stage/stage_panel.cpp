@@ -50,7 +50,7 @@ void takeMarks(HudLook& look, const Session& session, const MedalMarks& marks) {
              game.result() != Result::Lost && game.counts().hits <= marks.fewHits});
     }
     if (marks.oneFall > 0) {
-        look.honours.push_back({fmt::format("{} in one fall", marks.oneFall),
+        look.honours.push_back({fmt::format("a fall of {}", marks.oneFall),
                                 session.statistics().largestFall >= marks.oneFall});
     }
 }

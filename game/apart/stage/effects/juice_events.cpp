@@ -222,7 +222,7 @@ void Juice::onEvent(const Game& game, const PatienceChanged& change) {
     if (change.patience == Patience::Glowing && next != nullptr) {
         const kodo::BodyView body = game.world()[next->body];
         const Vec2 middle = body.massFrame() * body.part(next->part).convex.middle;
-        say(game, {"pull it off", middle - Vec2{0, Real(2.1)}, palette::kAccent, Real(0.45)});
+        say(game, {"pull now", middle - Vec2{0, Real(2.1)}, palette::kAccent, Real(0.45)});
     }
     if (change.patience == Patience::Shaking) {
         say(game, {"the mounts give way soon", {0, 5}, palette::kAccent, Real(0.6)});

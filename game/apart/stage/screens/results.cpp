@@ -154,7 +154,7 @@ std::vector<std::string> honourNames(const Level& level, const MedalMarks* marks
         names.push_back(countText(marks->fewHits, "hit") + " at most");
     }
     if (marks != nullptr && marks->oneFall > 0) {
-        names.push_back(fmt::format("{} in one fall", marks->oneFall));
+        names.push_back(fmt::format("a fall of {}", marks->oneFall));
     }
     if (level.keep >= 0) {
         names.push_back("keep the " + level.keepName);
