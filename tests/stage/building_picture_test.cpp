@@ -79,6 +79,25 @@ TEST(Building, FreeBlocksAreDrawnToTheirEdges) {
     EXPECT_LT(gapOf(keyOfFree(0), wedge), Real(1e-4));
 }
 
+/// The filled shape of a mast of 0.3 by 6 m.
+Stroke mastAt(Real heat) {
+    kodo::World world;
+    const kodo::BodyView body = world[world.add({.shape = kodo::Box{Real(0.3), 6}})];
+    RecordingCanvas canvas;
+    paintBlock(canvas, body.part(0).convex, body.massFrame(),
+               {.kind = {.stuff = Stuff::Wood}, .heat = heat, .key = keyOfFree(0)});
+    return canvas.strokes().at(0);
+}
+
+// Regression: a struck mast turned white from end to end.
+TEST(Building, AHitLightsTheRimAlone) {
+    const Stroke calm = mastAt(0);
+    const Stroke struck = mastAt(1);
+    EXPECT_EQ(struck.color, calm.color);
+    EXPECT_GT(struck.size, calm.size);
+    EXPECT_LT(struck.size, Real(0.3) / 2 * Real(0.8)) << "of the half width, a fifth stays";
+}
+
 /// Places of the bolts of all straps, two of each.
 std::vector<Vec2> boltsIn(const Play& play) {
     RecordingCanvas canvas;

@@ -15,6 +15,7 @@ namespace {
 constexpr int kRoundCorners = 24;
 constexpr Real kGap = Real(0.05);   // m, from a block of the grid to its edge
 constexpr Real kBadge = Real(0.29); // m, radius of the disc under a symbol
+constexpr Real kHotRim = Real(0.1); // m, by which a hit widens the rim
 
 /// A line in the frame of a block, in shares of its half width and half height.
 struct Grain {
@@ -189,10 +190,15 @@ struct Surface {
     Rim rim;
 };
 
-Surface surfaceOf(const Canvas& canvas, const BlockLook& look) {
-    const Color live = lighter(canvas.palette().of(look.kind.stuff), 0.75f * look.heat);
-    const Color color = faded(look.fallen ? darker(live, 0.3f) : live, look.left);
-    return {color, {Real(0.06), faded(lighter(color, 0.5f), 0.45f * look.left)}};
+/// A hit lights the rim, not the whole block: a long one would turn white from end to end. `thin`:
+/// m, half the smaller side.
+Surface surfaceOf(const Canvas& canvas, const BlockLook& look, Real thin) {
+    const Color own = canvas.palette().of(look.kind.stuff);
+    const Color color = faded(look.fallen ? darker(own, 0.3f) : own, look.left);
+    const auto hot = static_cast<float>(look.heat);
+    return {color,
+            {Real(0.06) + std::min(kHotRim, Real(0.3) * thin) * look.heat,
+             faded(lighter(color, 0.5f + 0.5f * hot), (0.45f + 0.55f * hot) * look.left)}};
 }
 
 void paintGlow(Canvas& canvas, std::span<const Vec2> corners, Real glow) {
@@ -223,7 +229,7 @@ void paintRectangle(Canvas& canvas, const kodo::ConvexShape& outline, const kodo
     const std::array<Vec2, 4> corners = {place * -inner, place * Vec2{inner.x, -inner.y},
                                          place * inner, place * Vec2{-inner.x, inner.y}};
     paintGlow(canvas, corners, look.glow);
-    const Surface surface = surfaceOf(canvas, look);
+    const Surface surface = surfaceOf(canvas, look, std::min(inner.x, inner.y));
     paintLit(canvas, corners, surface.color, surface.rim);
     if (look.scale < 1 || look.left < 1) {
         return; // details appear at full size
@@ -252,10 +258,11 @@ void paintRound(Canvas& canvas, const kodo::ConvexShape& outline, const kodo::Tr
     const kodo::ConvexShape& shape = outline;
     const std::vector<Vec2> corners = cornersOf(shape, body);
     paintGlow(canvas, corners, look.glow);
-    const Surface surface = surfaceOf(canvas, look);
+    const Surface surface = surfaceOf(canvas, look, radius);
     canvas.disc(middle, radius, lighter(surface.color, 0.15f), darker(surface.color, 0.22f));
     canvas.ring(middle, Real(0.93) * radius, Real(0.14) * radius,
-                faded(lighter(surface.color, 0.45f), 0.6f * look.left));
+                faded(lighter(surface.color, 0.45f + 0.55f * static_cast<float>(look.heat)),
+                      (0.6f + 0.4f * static_cast<float>(look.heat)) * look.left));
     const Color spoke = faded(darker(surface.color, 0.5f), 0.7f * look.left);
     for (int i = 0; i < 3; ++i) {
         const Vec2 way = body.rotation * towards(kTurn * static_cast<Real>(i) / 6);
@@ -277,7 +284,8 @@ void paintConvex(Canvas& canvas, const kodo::ConvexShape& outline, const kodo::T
     };
     const std::vector<Vec2> corners = shrunk((reachesEdge(look) ? 1 : Real(0.94)) * look.scale);
     paintGlow(canvas, corners, look.glow);
-    const Surface surface = surfaceOf(canvas, look);
+    const Vec2 size = kodo::aabbOf(std::span<const Vec2>(outline.vertices)).extent();
+    const Surface surface = surfaceOf(canvas, look, Real(0.5) * std::min(size.x, size.y));
     paintLit(canvas, corners, surface.color, surface.rim);
     if (look.scale < 1 || look.left < 1) {
         return;
