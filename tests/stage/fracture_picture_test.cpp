@@ -106,6 +106,40 @@ TEST(Labels, StartBesideAllThatBreaks) {
     EXPECT_EQ(covering, std::vector<std::string>{});
 }
 
+// Praise of a fall does not cross what still stands, for as long as it is well seen.
+TEST(Labels, PraiseStandsBesideWhatStands) {
+    int praises = 0;
+    std::vector<std::string> crossing;
+    for (const std::string& name : levelNames()) {
+        const auto level = std::make_shared<const Level>(std::get<Level>(loadLevel(name)));
+        if (!isBuilding(*level)) {
+            continue;
+        }
+        Game game(level, 1);
+        Juice juice(1, Settings{});
+        for (int tick = 0; tick < 1500 && game.result() == Result::Playing; ++tick) {
+            game.tick(bot(game));
+            juice.tick(game);
+            for (const Popup& popup : juice.popups()) {
+                if (!popup.praise || popup.age > 45) {
+                    continue;
+                }
+                praises += popup.age == 0 ? 1 : 0;
+                const auto crosses = [&](const Block& block) {
+                    const bool stands =
+                        block.support == Support::Standing || block.support == Support::Mounted;
+                    return stands && overlap(boundsOf(game, block), popup.box());
+                };
+                if (std::any_of(game.blocks().begin(), game.blocks().end(), crosses)) {
+                    crossing.push_back(name + ", tick " + std::to_string(tick) + ": " + popup.text);
+                }
+            }
+        }
+    }
+    EXPECT_GT(praises, 40);
+    EXPECT_EQ(crossing, std::vector<std::string>{});
+}
+
 // "torn off" stands where the block does not fall through it.
 TEST(Labels, ABlockThatIsTornOffPassesBesideItsLabel) {
     int labels = 0;

@@ -47,7 +47,8 @@ public:
     /// is kept, of equal ones the latest. Other popups move up or down until they overlap no popup.
     /// All positions stay inside the room.
     /// A popup moves up, down or aside, as little as possible, off `busy` areas, where something
-    /// breaks, and over as few `solid` ones as possible, where something stands (m).
+    /// breaks, and over as few `solid` ones as possible, where something stands (m). Praise and
+    /// titles go farther for that than other words.
     void add(Popup popup, std::span<const Aabb> busy = {}, std::span<const Aabb> solid = {});
     void tick();
     /// Size of all texts of the picture; larger ones need more room.
