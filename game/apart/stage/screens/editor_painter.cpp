@@ -244,11 +244,15 @@ void EditorScreen::drawTrials(Canvas& canvas, double now) const {
                        faded(kMovesColor, 0.7f));
         }
     }
+}
+
+/// What the forecast found, as a sentence for the line below the field, where no block stands.
+std::string EditorScreen::forecastText() const {
     const auto count = static_cast<std::int64_t>(trials_.forecast->fallen().size());
-    const std::string text = count == 0 ? (trials_.forecast->done() ? "nothing comes down" : "...")
-                                        : countText(count, "block") + " cleared by a hit here";
-    canvas.text(text, hand_.pointer + Vec2{0, Real(0.7)},
-                {Real(0.5), palette::kText, Typeface::Bold, Align::Middle, Real(8)});
+    if (count > 0) {
+        return countText(count, "block") + " cleared by a hit here";
+    }
+    return trials_.forecast->done() ? "nothing comes down" : "...";
 }
 
 void EditorScreen::draw(Canvas& canvas, double now) const {
@@ -269,9 +273,12 @@ void EditorScreen::draw(Canvas& canvas, double now) const {
         : tool_.tool == EditorTool::Rope
             ? "drag from the field or a block to a block   A: select"
             : "click where two blocks meet, or a block and the field   A: select";
-    canvas.text(news ? notice_ : hint, {0, Real(0.25)},
-                {Real(0.46), news ? palette::kAccent : palette::kQuiet, Typeface::Plain,
-                 Align::Middle, Real(23)});
+    const bool foretold = !news && trials_.forecast;
+    const Color color = news ? palette::kAccent : foretold ? palette::kText : palette::kQuiet;
+    const std::string line = news ? notice_ : foretold ? forecastText() : hint;
+    canvas.text(
+        line, {0, Real(0.25)},
+        {Real(0.46), color, foretold ? Typeface::Bold : Typeface::Plain, Align::Middle, Real(23)});
 }
 
 } // namespace apart

@@ -127,6 +127,7 @@ private:
     void drawLamp(Canvas& canvas) const;
     void drawHand(Canvas& canvas) const;
     void drawTrials(Canvas& canvas, double now) const;
+    std::string forecastText() const;
     bool isOn(const EditorButton& button) const;
 
     EditorStart start_;
