@@ -161,6 +161,8 @@ export interface Mover extends MoverNumbers {}
 /** Some bodies of a World. Views are of the memory of the engine: read them before the next call. */
 export class BodyList {
   readonly length: number;
+  /** Frees its memory at once, instead of some time after its last use. */
+  destroy(): void;
   /** x, y (m), cosine and sine of the angle of each body. */
   poses(): Float32Array;
   /** x, y (m/s, of the centre of mass) and angular velocity (rad/s) of each body. */

@@ -2,7 +2,7 @@
 // Kodo, a 2D rigid-body engine. kodo.d.ts describes what this module exports.
 import * as layout from "./layout.js";
 import {
-  allocate, bytesAt, call, check, data, drawWith, floats, handleOf, initialise, made, read, readMany,
+  allocate, bytesAt, call, check, checkNumber, data, drawWith, floats, handleOf, initialise, made, read, readMany,
   room, sizeOf, wasm, within, write, writeMany,
 } from "./memory.js";
 
@@ -11,7 +11,7 @@ export {
 } from "./memory.js";
 export const {
   ShapeKind, BodyType, MixRule, SolverKind, Features, Profile, JointKind, AttractorLaw, FieldKind,
-  StartOverlap, TouchPhase, Flags,
+  StartOverlap, StepStage, TouchPhase, Flags,
 } = layout;
 
 export const version = wasm.kodo_version();
@@ -36,13 +36,13 @@ export const withFriction = (friction, restitution = 0) =>
 
 export const settings = (profile) => within(() => {
   const at = room(sizeOf("Settings"));
-  initialise("Settings", at, [profile]);
+  initialise("Settings", at, [checkNumber("i32", profile, "profile")]);
   return read("Settings", at);
 });
 
 export const rotation = (radians) => within(() => {
   const at = room(sizeOf("Rot"));
-  wasm.kodo_rotation(at, radians);
+  wasm.kodo_rotation(at, checkNumber("f32", radians, "angle"));
   return read("Rot", at);
 });
 export const angleOf = (rotation) => within(() => wasm.kodo_angle(made("Rot", rotation, "rotation")));
@@ -51,12 +51,13 @@ export const convexHull = (points) => call("convexHull", layout.calls.convexHull
 
 export function decompose(outline) {
   return within(() => {
-    const most = 3 * outline.length; // a division into triangles has fewer corners
+    const [points, length] = writeMany("Vec2", outline, "outline");
+    const most = 3 * length; // a division into triangles has fewer corners
     const at = room(sizeOf("Polygons"));
-    const [corners, sizes] = [room(most * sizeOf("Vec2")), room(4 * outline.length)];
-    [corners, most, 0, sizes, outline.length, 0].forEach(
+    const [corners, sizes] = [room(most * sizeOf("Vec2")), room(4 * length)];
+    [corners, most, 0, sizes, length, 0].forEach(
       (value, i) => data().setUint32(at + 4 * i, value, true));
-    check(wasm.kodo_decompose(writeMany("Vec2", outline, "outline"), outline.length, at));
+    check(wasm.kodo_decompose(points, length, at));
     let from = corners;
     return readMany("u32", sizes, data().getUint32(at + 20, true)).map((count) => {
       const part = polygon(readMany("Vec2", from, count));
@@ -99,6 +100,7 @@ export class World {
     check(wasm.kodo_destroyWorld(handleOf(this)));
     forgotten.unregister(this);
     this.handle = 0;
+    this.moved?.destroy();
   }
 
   copy() {
@@ -116,7 +118,7 @@ export class World {
   }
 
   step(dt) {
-    check(wasm.kodo_step(handleOf(this), dt, 0));
+    check(wasm.kodo_step(handleOf(this), checkNumber("f32", dt, "dt"), 0));
   }
 
   get settings() {
@@ -136,8 +138,10 @@ export class World {
   }
 
   set region(box) {
-    within(() => check(wasm.kodo_setRegion(
-      handleOf(this), box === undefined ? 0 : made("Aabb", box, "region"))));
+    within(() => {
+      const at = box === undefined ? 0 : made("Aabb", box, "region");
+      check(wasm.kodo_setRegion(handleOf(this), at));
+    });
   }
 
   /** Reads a struct by a function of the C interface. */
@@ -164,8 +168,8 @@ export class World {
 
   add(def) {
     return new Body(this, within(() => {
-      const id = room(sizeOf("BodyId"));
-      check(wasm.kodo_addBody(handleOf(this), made("BodyDef", def, "body"), id));
+      const [id, at] = [room(sizeOf("BodyId")), made("BodyDef", def, "body")];
+      check(wasm.kodo_addBody(handleOf(this), at, id));
       return read("BodyId", id);
     }));
   }
@@ -192,8 +196,8 @@ export class World {
 
   addJoint(def) {
     return within(() => {
-      const id = room(sizeOf("JointId"));
-      check(wasm.kodo_addJoint(handleOf(this), made("JointDef", def, "joint"), id));
+      const [id, at] = [room(sizeOf("JointId")), made("JointDef", def, "joint")];
+      check(wasm.kodo_addJoint(handleOf(this), at, id));
       return read("JointId", id);
     });
   }
@@ -209,22 +213,27 @@ export class World {
   // Fields.
 
   addField(field) {
-    within(() => check(wasm.kodo_addField(handleOf(this), made("Field", field, "field"))));
+    within(() => {
+      const at = made("Field", field, "field");
+      check(wasm.kodo_addField(handleOf(this), at));
+    });
   }
 
   setFields(fields) {
-    within(() => check(wasm.kodo_setFields(
-      handleOf(this), writeMany("Field", fields, "fields"), fields.length)));
+    within(() => {
+      const [at, count] = writeMany("Field", fields, "fields");
+      check(wasm.kodo_setFields(handleOf(this), at, count));
+    });
   }
 
   // Explosions.
 
   explode(explosion) {
     return within(() => {
+      const at = made("Explosion", explosion, "explosion");
       const most = this.bodyCount(); // a second call for a longer list would push again
       const [hits, count] = [room(Math.max(1, most * sizeOf("ExplosionHit"))), room(4)];
-      check(wasm.kodo_explode(
-        handleOf(this), made("Explosion", explosion, "explosion"), hits, most, count));
+      check(wasm.kodo_explode(handleOf(this), at, hits, most, count));
       return readMany("ExplosionHit", hits, data().getUint32(count, true));
     });
   }
@@ -295,7 +304,7 @@ export class Body {
       const [part, id] = [room(sizeOf("Part")), made("BodyId", this, "body")];
       const [world, most] = [handleOf(this.world), 1024];
       const corners = room(most * sizeOf("Vec2"));
-      check(wasm.kodo_part(world, id, index, part, corners, most));
+      check(wasm.kodo_part(world, id, checkNumber("u32", index, "index"), part, corners, most));
       return read("Part", part);
     });
   }
@@ -321,8 +330,8 @@ export class Mover {
 
   move(world, wish, dt) {
     within(() => {
-      const at = made("Mover", this, "mover");
-      check(wasm.kodo_moveMover(handleOf(world), at, made("Vec2", wish, "wish"), dt));
+      const [at, velocity] = [made("Mover", this, "mover"), made("Vec2", wish, "wish")];
+      check(wasm.kodo_moveMover(handleOf(world), at, velocity, checkNumber("f32", dt, "dt")));
       Object.assign(this, read("Mover", at));
     });
   }
@@ -335,13 +344,27 @@ const kPose = 4; // numbers of a pose: x, y, cosine, sine
 const kVelocity = 3; // x, y, angular
 
 export class BodyList {
+  #length = 0;
+
   constructor(world, bodies) {
     this.world = world;
     this.memory = { at: 0, capacity: 0 };
     freed.register(this, this.memory);
-    this.#reserve(bodies.length);
-    this.length = bodies.length;
-    bodies.forEach((body, i) => write("BodyId", this.memory.at + i * kId, body, `bodies[${i}]`));
+    const given = [...bodies];
+    this.#reserve(given.length);
+    this.#length = given.length;
+    bytesAt(this.memory.at, given.length * kId).fill(0);
+    given.forEach((body, i) => write("BodyId", this.memory.at + i * kId, body, `bodies[${i}]`));
+  }
+
+  get length() {
+    return this.#length;
+  }
+
+  destroy() {
+    wasm.free(this.memory.at);
+    Object.assign(this.memory, { at: 0, capacity: 0 });
+    this.#length = 0;
   }
 
   /** The World's address, ids, poses and velocities lie one after the other. */
@@ -404,11 +427,12 @@ export class BodyList {
       const take = () => check(wasm.kodo_movedBodies(
         handleOf(this.world), this.memory.at, this.memory.capacity, count));
       take();
-      this.length = data().getUint32(count, true);
-      if (this.length > this.memory.capacity) {
-        this.#reserve(this.length);
+      const moved = data().getUint32(count, true);
+      if (moved > this.memory.capacity) {
+        this.#reserve(moved);
         take();
       }
+      this.#length = moved;
     });
     const poses = this.poses();
     return { ids: new Uint32Array(wasm.memory.buffer, this.memory.at, 3 * this.length), poses };

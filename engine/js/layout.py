@@ -232,6 +232,8 @@ class Writer:
         yield "// Written by layout.py from kodo.h.\nimport type {\n"
         yield "  BodyLike, Input, OwnFieldFunction, World,\n} from \"./kodo.js\";\n"
         for name, values in self.header.enums.items():
+            if name == "Status":  # errors are exceptions
+                continue
             body = "; ".join(f"readonly {each}: {value}" for each, value in values.items())
             yield f"export declare const {name}: {{ {body} }};\nexport type {name} = number;\n"
         for name, struct in self.header.structs.items():

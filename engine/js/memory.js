@@ -25,12 +25,20 @@ const kErrors = [, BadDefinition, BadBodyId, BadSnapshot, WrongUse, NoMemory, Ot
 const ownFields = [null]; // functions of fields; a number of kodo_OwnField names one
 let figures = null; // target of the present draw()
 let thrown = null;
+let nested = 0; // calls of such functions, one within the other
+const kMostNested = 64; // the stack of the module, once too deep, stays so: each later call would fail
 
 function guarded(work) {
+  ++nested;
   try {
+    if (nested > kMostNested) {
+      throw new WrongUse(`a function that the engine calls: more than ${kMostNested} within each other`);
+    }
     work();
   } catch (error) {
     thrown ??= { error };
+  } finally {
+    --nested;
   }
 }
 
@@ -78,7 +86,7 @@ function textAt(at) {
 }
 
 export function allocate(size) {
-  const at = wasm.malloc(size);
+  const at = size < 2 ** 31 ? wasm.malloc(size) : 0;
   if (at === 0) {
     throw new NoMemory("memory: exhausted");
   }
@@ -118,26 +126,36 @@ export function within(work) {
 
 // Values between objects and structs, by layout.js.
 
-const number = (set) => (at, value, path) => {
+const kBits = { i32: 32, u32: 32, u16: 16, u8: 8, u64: 64 };
+
+/** Refuses what would become another number. Negative ones are masks too, as ~flag. */
+export function checkNumber(type, value, path) {
   if (typeof value !== "number") {
     throw new TypeError(`${path}: must be a number, but is ${String(value)}`);
   }
-  set(at, value);
-};
+  const bits = kBits[type];
+  if (bits !== undefined
+      && !(Number.isInteger(value) && value >= -(2 ** (bits - 1)) && value < 2 ** bits)) {
+    throw new RangeError(`${path}: must be a whole number of ${bits} bits, but is ${value}`);
+  }
+  return value;
+}
+const number = (type, set) => (at, value, path) => set(at, checkNumber(type, value, path));
 const kScalars = {
   f32: { size: 4, get: (at) => data().getFloat32(at, true),
-         set: number((at, value) => data().setFloat32(at, value, true)) },
+         set: number("f32", (at, value) => data().setFloat32(at, value, true)) },
   i32: { size: 4, get: (at) => data().getInt32(at, true),
-         set: number((at, value) => data().setInt32(at, value, true)) },
+         set: number("i32", (at, value) => data().setInt32(at, value, true)) },
   u32: { size: 4, get: (at) => data().getUint32(at, true),
-         set: number((at, value) => data().setUint32(at, value, true)) },
+         set: number("u32", (at, value) => data().setUint32(at, value, true)) },
   u16: { size: 2, get: (at) => data().getUint16(at, true),
-         set: number((at, value) => data().setUint16(at, value, true)) },
-  u8: { size: 1, get: (at) => data().getUint8(at), set: number((at, value) => data().setUint8(at, value)) },
+         set: number("u16", (at, value) => data().setUint16(at, value, true)) },
+  u8: { size: 1, get: (at) => data().getUint8(at),
+        set: number("u8", (at, value) => data().setUint8(at, value)) },
   b: { size: 1, get: (at) => data().getUint8(at) !== 0,
        set: (at, value) => data().setUint8(at, value ? 1 : 0) },
   u64: { size: 8, get: (at) => Number(data().getBigUint64(at, true)),
-         set: number((at, value) => data().setBigUint64(at, BigInt(value), true)) },
+         set: number("u64", (at, value) => data().setBigUint64(at, BigInt(value), true)) },
 };
 export const sizeOf = (type) => (kScalars[type] ?? structs[type]).size;
 
@@ -230,6 +248,9 @@ function writeChoice(type, at, value, path) {
     }
   }
   if (kind === "OwnField") {
+    if (typeof value.own !== "function") {
+      throw new TypeError(`${path}.own: must be a function, but is ${String(value.own)}`);
+    }
     const known = ownFields.indexOf(value.own);
     const place = known > 0 ? known : ownFields.push(value.own) - 1;
     wasm.kodo_js_setField(at + union, place, value.own.steady ? 1 : 0);
@@ -259,10 +280,11 @@ export function write(type, at, value, path) {
       continue;
     }
     if (how === "items") {
-      data().setUint32(at + offset, writeMany(kind, one, `${path}.${name}`), true);
-      data().setUint32(at + other, one.length, true);
+      const [items, count] = writeMany(kind, one, `${path}.${name}`);
+      data().setUint32(at + offset, items, true);
+      data().setUint32(at + other, count, true);
     } else if (how === "pointer") {
-      data().setUint32(at + offset, writeMany(kind, [one], `${path}.${name}`), true);
+      data().setUint32(at + offset, writeMany(kind, [one], `${path}.${name}`)[0], true);
     } else {
       if (how === "optional") {
         kScalars.b.set(at + other, true);
@@ -276,19 +298,23 @@ export function write(type, at, value, path) {
   }
 }
 
-/** Writes an array into memory of the present call; returns its address. */
+/** Writes an array into memory of the present call; returns its address and length. */
 export function writeMany(type, values, path) {
-  const size = sizeOf(type);
-  const at = room(Math.max(1, values.length * size));
-  if (values instanceof Uint8Array && type === "u8") {
-    bytesAt(at, values.length).set(values);
-    return at;
+  const count = values?.length; // once: a getter in the array may make it longer
+  if (typeof values !== "object" || !Number.isInteger(count) || count < 0) {
+    throw new TypeError(`${path}: must be an array, but is ${String(values)}`);
   }
-  for (let i = 0; i < values.length; ++i) {
+  const size = sizeOf(type);
+  const at = room(Math.max(1, count * size));
+  if (values instanceof Uint8Array && type === "u8") {
+    bytesAt(at, count).set(values);
+    return [at, count];
+  }
+  for (let i = 0; i < count; ++i) {
     prefill(type, at + i * size);
     write(type, at + i * size, values[i], `${path}[${i}]`);
   }
-  return at;
+  return [at, count];
 }
 
 /** A struct in memory of the present call: the defaults, and an object over them. */
@@ -311,21 +337,19 @@ export function call(name, parameters, values) {
     const list = parameters.find(([how]) => how === "list");
     let capacity = listSizes[name] ?? 16;
     const fixed = [];
+    const handles = []; // taken last: a getter of an argument may destroy a World
     for (const [how, type, label] of parameters) {
       if (how === "handle") {
-        fixed.push(handleOf(given.shift()));
+        handles.push([fixed.length, given.shift()]);
+        fixed.push(0);
       } else if (how === "number") {
-        const value = given.shift();
-        if (typeof value !== "number" && type !== "b") {
-          throw new TypeError(`${label}: must be a number, but is ${String(value)}`);
-        }
-        fixed.push(type === "u64" ? BigInt(value) : Number(value));
+        const value = checkNumber(type, given.shift(), label);
+        fixed.push(type === "u64" ? BigInt(value) : value);
       } else if (how === "in" || how === "maybe") {
         const value = given.shift();
         fixed.push(how === "maybe" && value === undefined ? 0 : made(type, value, label));
       } else if (how === "array") {
-        const items = given.shift();
-        fixed.push(writeMany(type, items, label), items.length);
+        fixed.push(...writeMany(type, given.shift(), label));
       } else if (how === "out") {
         const at = room(sizeOf(type));
         bytesAt(at, sizeOf(type)).fill(0);
@@ -333,6 +357,7 @@ export function call(name, parameters, values) {
         fixed.push(at);
       }
     }
+    handles.forEach(([i, world]) => { fixed[i] = handleOf(world); });
     if (list === undefined) {
       check(wasm[`kodo_${name}`](...fixed));
       return results[0]?.();

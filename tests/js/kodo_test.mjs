@@ -310,6 +310,76 @@ test("a picture has figures for bodies and joints", () => {
   assert.match(world.svg(), /^<svg/);
 });
 
+test("values of a wrong kind are refused, instead of taken as others", () => {
+  const world = withGround();
+  const ball = world.add({ position: { x: 0, y: 5 } });
+  for (const type of [NaN, 1.5, 2 ** 32 + 2]) {
+    assert.throws(() => world.add({ type }), /^RangeError: body\.type: must be a whole number of 32 bits/);
+    assert.throws(() => ball.setType(type), RangeError);
+  }
+  assert.throws(() => ball.setUserData(2 ** 70), RangeError);
+  ball.setGroup(-1);
+  for (const wrong of ["0.1", undefined, [0.1], null]) {
+    assert.throws(() => world.step(wrong), /^TypeError: dt: must be a number/);
+    assert.throws(() => kodo.rotation(wrong), TypeError);
+    assert.throws(() => kodo.settings(wrong), TypeError);
+  }
+  for (const heights of [new Set([1, 2]), "12", null, 7, { length: -1 }, { length: 2.5 }]) {
+    assert.throws(() => world.add({ shape: kodo.heightmap(1, heights) }),
+                  /^TypeError: body\.shape\.heightmap\.heights: must be an array/);
+  }
+  assert.throws(() => world.add({ shape: kodo.heightmap(1, { length: 2 ** 30 + 2 }) }), kodo.NoMemory);
+  assert.throws(() => World.fromBytes(world.toBytes().buffer), /snapshot\.bytes: must be an array/);
+  for (const own of [null, 5, {}]) {
+    assert.throws(() => world.addField({ own }), /^TypeError: field\.own: must be a function/);
+  }
+  assert.equal(world.list(new Set(world.bodies())).poses()[5], 5);
+  world.list([ball, ball, ball, ball]).destroy();
+  assert.throws(() => world.list([{ index: 1 }]).poses(), kodo.BadBodyId); // the rest is 0
+  assert.throws(() => { world.list([ball]).length = 1000; }, TypeError);
+  assert.equal(world.bodyCount(), 2);
+});
+
+test("getters in a definition may add to it and destroy its World", () => {
+  const world = withGround();
+  const points = [0, 1].map((x) => ({ x, get y() { return points.push({ x: points.length, y: 0 }) && 0; } }));
+  const chain = world.add({ shape: kodo.chain(points), type: kodo.BodyType.Static });
+  assert.equal(points.length, 4);
+  assert.equal(chain.state().partCount, 1);
+  const last = (name) => ({ get [name]() { world.copy(); gone.destroy(); return undefined; } });
+  let gone;
+  for (const use of [(one) => one.add(last("position")), (one) => one.addField(last("which")),
+                     (one) => one.explode(last("center")), (one) => one.rayCast({}, last("which")),
+                     (one) => one.applyForceToAll(last("x"))]) {
+    gone = withGround();
+    assert.throws(() => use(gone), kodo.WrongUse);
+  }
+  world.step(kDt);
+});
+
+test("functions that the engine calls within each other end before the stack does", () => {
+  const world = stack(2);
+  let deepest = 0, depth = 0;
+  const picture = { view: world.viewOf(), pixel: 0.01, line() {}, circle() {}, text() {}, polygon() {
+    deepest = Math.max(deepest, ++depth);
+    try {
+      world.draw(picture);
+    } finally {
+      --depth;
+    }
+  } };
+  assert.throws(() => world.draw(picture), kodo.WrongUse);
+  assert.equal(deepest, 64);
+  world.step(kDt);
+});
+
+test("kodo.d.ts names what the module exports", () => {
+  const types = ["kodo.d.ts", "layout.d.ts"]
+    .map((name) => readFileSync(`${process.env.KODO_NPM}/${name}`, "utf8")).join("");
+  const named = [...types.matchAll(/^export (?:declare )?(?:class|const|function) (\w+)/gm)];
+  assert.deepEqual(named.map(([, name]) => name).sort(), Object.keys(kodo).sort());
+});
+
 test("a World that is left is freed", () => {
   const before = new World();
   before.destroy();
