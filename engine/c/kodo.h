@@ -65,7 +65,7 @@ KODO_C_API uint32_t kodo_version(void);
 KODO_C_API uint32_t kodo_realSize(void);
 
 /// Raised with each change of a struct, an enumerator or a function.
-#define KODO_C_VERSION 2
+#define KODO_C_VERSION 3
 
 /// Begins a definition: which header it was compiled with.
 typedef struct kodo_Head {
@@ -425,6 +425,7 @@ typedef struct kodo_SoftSettings {
     kodo_Real jointHertz;     // > 0, up to 1e9
     kodo_Real jointDamping;   // > 0, up to 1e6
     kodo_Real pushSpeed;      // > 0, up to 1e7; length units/s
+    kodo_Real jointGap;       // 1e-4 to 1e4; share of the smaller body's size
 } kodo_SoftSettings;
 
 /// The solver of the thesis, with shock propagation.

@@ -112,6 +112,7 @@ constexpr Number kNumbers[] = {
     numberOf<&Soft::contactDamping>("contactDamping"),
     numberOf<&Soft::jointHertz, &Propagation::jointHertz>("jointHertz"),
     numberOf<&Soft::jointDamping, &Propagation::jointDamping>("jointDamping"),
+    numberOf<&Soft::jointGap>("jointGap"),
     numberOf<&Soft::pushSpeed, &Propagation::pushSpeed>("pushSpeed"),
 };
 

@@ -166,8 +166,8 @@ void expectHeadsChecked(const char* type, const Definition& good,
     bad.head.size += 8;
     expectError(KODO_WRONG_USE,
                 name + ": has " + std::to_string(sizeof(Definition) + 8) +
-                    " bytes in version 2, but this library expects " + size +
-                    " bytes in version 2; compile the program with the kodo.h of the library",
+                    " bytes in version 3, but this library expects " + size +
+                    " bytes in version 3; compile the program with the kodo.h of the library",
                 use(world, &bad));
     bad.head = good.head;
     bad.head.version = 9;

@@ -299,6 +299,7 @@ TEST(BadInput, InSettingsIsRefused) {
         rows.push_back(number("settings.contactDamping", &SoftSettings::contactDamping, value));
         rows.push_back(number("settings.jointHertz", &SoftSettings::jointHertz, value));
         rows.push_back(number("settings.jointDamping", &SoftSettings::jointDamping, value));
+        rows.push_back(number("settings.jointGap", &SoftSettings::jointGap, value));
         rows.push_back(number("settings.pushSpeed", &SoftSettings::pushSpeed, value));
     }
     expectRefused(rows);

@@ -30,6 +30,7 @@ TEST(StepSettings, EachNumberIsChecked) {
         {"settings.contactHertz", [](StepSettings& s) { s.soft().contactHertz = support::kNan; }},
         {"settings.contactDamping",
          [](StepSettings& s) { s.soft().contactDamping = support::kInf; }},
+        {"settings.jointGap", [](StepSettings& s) { s.soft().jointGap = 0; }},
         {"settings.pushSpeed", [](StepSettings& s) { s.soft().pushSpeed = -1; }},
     };
     for (const Bad& bad : rows) {

@@ -116,6 +116,7 @@ const BadWorld kBadWorlds[] = {
     {"settings.contactHertz", [](WorldDef& d) { d.settings.soft().contactHertz = 0; }},
     {"settings.contactHertz", [](WorldDef& d) { d.settings.soft().contactHertz = kNan; }},
     {"settings.contactDamping", [](WorldDef& d) { d.settings.soft().contactDamping = -1; }},
+    {"settings.jointGap", [](WorldDef& d) { d.settings.soft().jointGap = kInf; }},
     {"settings.pushSpeed", [](WorldDef& d) { d.settings.soft().pushSpeed = kInf; }},
 };
 

@@ -10,7 +10,8 @@ namespace {
 
 using namespace kodo;
 
-constexpr int kFormat = 3; // 1: shapes without a radius; 2: joints without springs of all kinds
+// 1: shapes without a radius; 2: joints without springs of all kinds; 3: settings without a gap
+constexpr int kFormat = 4;
 
 /// Writes and reads the same fields, so that both directions agree.
 class Writer {
@@ -360,6 +361,9 @@ void visit(Stream& s, SoftSettings& soft) {
     s.one(soft.jointHertz);
     s.one(soft.jointDamping);
     s.one(soft.pushSpeed);
+    if (s.format > 3) {
+        s.one(soft.jointGap);
+    }
 }
 template <typename Stream>
 void visit(Stream& s, PropagationSettings& propagation) {

@@ -318,10 +318,11 @@ std::string codeOf(const kodo::StepSettings& settings) {
         std::snprintf(text, sizeof text,
                       "kodo::StepSettings{.solver = kodo::SoftSettings{.substeps = %d, "
                       ".impactPasses = %d, .contactHertz = %g, .contactDamping = %g, .jointHertz = "
-                      "%g, .jointDamping = %g, .pushSpeed = %g}, .sleepSteps = %d}",
+                      "%g, .jointDamping = %g, .pushSpeed = %g, .jointGap = %g}, .sleepSteps = %d}",
                       soft->substeps, soft->impactPasses, number(soft->contactHertz),
                       number(soft->contactDamping), number(soft->jointHertz),
-                      number(soft->jointDamping), number(soft->pushSpeed), settings.sleepSteps);
+                      number(soft->jointDamping), number(soft->pushSpeed), number(soft->jointGap),
+                      settings.sleepSteps);
         return text;
     }
     const kodo::PropagationSettings& own = settings.propagation();

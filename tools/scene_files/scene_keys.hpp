@@ -39,6 +39,7 @@ void solverKeys(Keys& keys, Settings& settings) {
     if constexpr (std::is_same_v<Own, kodo::SoftSettings>) {
         keys.take("contact_hertz", settings, &Own::contactHertz);
         keys.take("contact_damping", settings, &Own::contactDamping);
+        keys.take("joint_gap", settings, &Own::jointGap);
     } else {
         keys.take("contact_passes", settings, &Own::contactPasses);
         keys.take("shock_passes", settings, &Own::shockPasses);

@@ -55,7 +55,7 @@ private:
         Table table(keys_, *own);
         table.onlyKeys({"solver", "substeps", "impact_passes", "contact_passes", "shock_passes",
                         "contact_hertz", "contact_damping", "joint_hertz", "joint_damping",
-                        "push_speed", "sleep_steps", "leave_out"},
+                        "joint_gap", "push_speed", "sleep_steps", "leave_out"},
                        "settings.");
         const std::size_t solver = table.choice("solver", kSolvers).value_or(0);
         if (solver == 1) {

@@ -36,9 +36,9 @@ struct WriteSolver {
 
     void operator()(const kodo::SoftSettings& solver) const {
         const auto& [substeps, impactPasses, contactHertz, contactDamping, jointHertz, jointDamping,
-                     pushSpeed] = solver;
+                     pushSpeed, jointGap] = solver;
         settings.soft = {substeps,   impactPasses, contactHertz, contactDamping,
-                         jointHertz, jointDamping, pushSpeed};
+                         jointHertz, jointDamping, pushSpeed,    jointGap};
     }
     void operator()(const kodo::PropagationSettings& solver) const {
         const auto& [substeps, impactPasses, contactPasses, shockPasses, jointHertz, jointDamping,
@@ -57,7 +57,7 @@ kodo::StepSettings fromC(const kodo_Settings& settings) {
         const kodo_SoftSettings& soft = settings.soft;
         made.solver = kodo::SoftSettings{soft.substeps,       soft.impactPasses, soft.contactHertz,
                                          soft.contactDamping, soft.jointHertz,   soft.jointDamping,
-                                         soft.pushSpeed};
+                                         soft.pushSpeed,      soft.jointGap};
     } else {
         const kodo_PropagationSettings& thesis = settings.propagation;
         made.solver = kodo::PropagationSettings{

@@ -62,6 +62,9 @@ struct SoftSettings {
     /// > 0, up to 1e7; length units/s; largest speed that separates overlaps, and that closes the
     /// gaps of articulated trees, such as chains.
     Real pushSpeed = 3;
+    /// 1e-4 to 1e4; by how much of the smaller body's size a loaded joint may open. The smaller,
+    /// the more trees of joints are solved directly and the more parts loaded substeps have.
+    Real jointGap = Real(0.04);
 
     friend bool operator==(const SoftSettings&, const SoftSettings&) = default;
 };

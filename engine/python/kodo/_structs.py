@@ -10,7 +10,7 @@ from typing import Type, TypeVar
 
 from ._library import REAL_SIZE, Real, call
 
-VERSION = 2  # KODO_C_VERSION
+VERSION = 3  # KODO_C_VERSION
 
 
 class Values(ctypes.Structure):
@@ -188,6 +188,7 @@ class SoftSettings(Values):
         ("jointHertz", Real),
         ("jointDamping", Real),
         ("pushSpeed", Real),
+        ("jointGap", Real),
     ]
 
 

@@ -32,6 +32,7 @@ class SoftSettings:
     joint_hertz: float  #: > 0, up to 1e9
     joint_damping: float  #: > 0, up to 1e6
     push_speed: float  #: > 0, up to 1e7; length units/s
+    joint_gap: float  #: 1e-4 to 1e4; share of the smaller body's size
 
 
 @dataclasses.dataclass

@@ -10,13 +10,31 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
 
-// Largest mass that a soft joint carries, relative to the reduced mass of its bodies. Ragdolls have
-// 4 to 10, a chain of n equal links 2 n - 2. At 60 Hz a ratio of 16 opens a joint by 1 mm under the
-// earth's gravity. A swinging chain of that ratio opens by 3 % of a link.
-constexpr Real kMostCarried = 16;
-// An anchored tree of at most so many joints is solved directly without a load, too: a pendulum
-// then has the period and the energy of the exact solution.
-constexpr std::size_t kFewJoints = 10;
+// Largest mass that a soft joint carries, relative to the reduced mass of its bodies and to the gap
+// that is permitted: 16 at the usual gap of 0.04. Ragdolls have 4 to 10, a chain of n equal links
+// 2 n - 2. At 60 Hz a ratio of 16 opens a joint by 1 mm under the earth's gravity. A swinging chain
+// of that ratio opens by 3 % of a link.
+constexpr Real kMostCarried = 400;
+// Sum of the reduced masses of the joints of a body, relative to its own, up to which springs can
+// hold them: 33 bars pinned to a hub, each of an eighth of its mass, explode.
+constexpr Real kMostJoined = 3;
+// An anchored tree of few joints, 10 at the usual gap, is solved directly without a load, too: a
+// pendulum then has the period and the energy of the exact solution.
+constexpr Real kFewJoints = Real(0.42);
+
+/// Reduced mass of a joint of a body and another one, relative to the mass of the body; the same of
+/// the inertias, if the joint holds the angle.
+Real shareOf(const Bodies& bodies, const ArticulatedTrees::Edge& edge, std::uint32_t body,
+             std::uint32_t other) {
+    const BodyVelocity& own = bodies.motion[body];
+    const BodyVelocity& its = bodies.motion[other];
+    const Real share = own.invMass / (own.invMass + its.invMass);
+    if (!edge.direct || !(own.invInertia > 0)) {
+        return share;
+    }
+    const Vec2 between = bodies.pose[body].position - bodies.pose[other].position;
+    return std::max(share, own.invInertia / (own.invInertia + inverseAbout(its, between)));
+}
 
 } // namespace
 
@@ -84,7 +102,8 @@ void ArticulatedTrees::unlistEdges(std::span<const Edge> edges) {
     }
 }
 
-void ArticulatedTrees::find(const Bodies& bodies, std::span<const Edge> edges) {
+void ArticulatedTrees::find(const Bodies& bodies, std::span<const Edge> edges, Real gap) {
+    gap_ = gap;
     nodes_.clear();
     members_.clear();
     trees_.clear();
@@ -134,13 +153,14 @@ void ArticulatedTrees::grow(const Bodies& bodies, std::span<const Edge> edges, s
     } else {
         join(edge.a);
     }
-    bool fit = true;
+    bool isTree = true;
+    bool touches = false;
     for (std::size_t i = 0; i < reached_.size(); ++i) {
-        const Flags flags = bodies.filter[reached_[i]].flags;
-        const bool isTree = growFrom(bodies, edges, i);
-        fit = fit && isTree && (anchored || (flags & kColliding) == 0);
+        touches = touches || (bodies.filter[reached_[i]].flags & kColliding) != 0;
+        isTree = growFrom(bodies, edges, i) && isTree;
     }
-    if (!fit || !isDirect(bodies, edges, anchored)) {
+    const bool springs = touches && !anchored; // would converge with the contacts
+    if (!isTree || !(isCrowded(bodies, edges) || (!springs && isDirect(bodies, edges, anchored)))) {
         return;
     }
     trees_.push_back({.firstNode = nodes_.size(),
@@ -166,11 +186,31 @@ void ArticulatedTrees::grow(const Bodies& bodies, std::span<const Edge> edges, s
     }
 }
 
+/// True if the joints of a body of the component in reached_ and links_ would move it too far as
+/// springs, each of which is as stiff as its own two bodies allow.
+bool ArticulatedTrees::isCrowded(const Bodies& bodies, std::span<const Edge> edges) {
+    joined_.assign(reached_.size(), 0);
+    const auto first = static_cast<std::uint32_t>(members_.size());
+    return std::any_of(links_.begin(), links_.end(), [&](const Link& link) {
+        const Edge& edge = edges[link.edge];
+        const auto joins = [&](std::uint32_t member) {
+            if (member == kNone) {
+                return false;
+            }
+            const std::uint32_t body = reached_[member - first];
+            Real& sum = joined_[member - first];
+            sum += shareOf(bodies, edge, body, edge.a == body ? edge.b : edge.a);
+            return sum > kMostJoined;
+        };
+        return joins(link.child) || joins(link.parent);
+    });
+}
+
 /// True if the component in reached_ and links_ is to be solved directly. Depends on masses and
 /// joints alone, so the result lasts from step to step. A joint of an anchored tree carries the
 /// part beyond it; one of a free tree carries the lighter side.
 bool ArticulatedTrees::isDirect(const Bodies& bodies, std::span<const Edge> edges, bool anchored) {
-    if (anchored && links_.size() <= kFewJoints) {
+    if (anchored && gap_ * static_cast<Real>(links_.size()) <= kFewJoints) {
         return true;
     }
     carried_.clear();
@@ -192,7 +232,7 @@ bool ArticulatedTrees::isDirect(const Bodies& bodies, std::span<const Edge> edge
         const Real hanging = carried_[link.child - first];
         const Real carried = anchored ? hanging : std::min(hanging, total - hanging);
         return carried * (bodies.motion[edge.a].invMass + bodies.motion[edge.b].invMass) >
-               kMostCarried;
+               gap_ * kMostCarried;
     });
 }
 

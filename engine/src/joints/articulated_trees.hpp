@@ -75,10 +75,10 @@ struct HeldRows {
 /// The system is solved again while its solution changes what it depends on: the arcs of the
 /// anchors, and the forces that bound inertia from below (see begin()).
 ///
-/// The soft solver solves a loaded tree directly. A tree is loaded if a joint carries more than
-/// kMostCarried times the reduced mass of its two bodies: a soft joint opens in proportion to that
-/// ratio. Small anchored trees are solved directly too; see kFewJoints. The
-/// joints of other trees of revolute joints are solved one by one, as springs.
+/// The soft solver solves a loaded tree directly: one in which a joint carries many times the
+/// reduced mass of its two bodies, since a soft joint opens in proportion to that ratio. Small
+/// anchored trees are solved directly too; see kFewJoints. The joints of other trees of revolute
+/// joints are solved one by one, as springs.
 ///
 /// Each elimination depends on the one before. So some trees are solved side by side, node by node.
 ///
@@ -96,8 +96,9 @@ public:
         bool direct = true; // false: only a load makes its tree direct
     };
 
-    /// Finds the trees among these joints. Each joint must have a movable body.
-    void find(const Bodies& bodies, std::span<const Edge> edges);
+    /// Finds the trees among these joints. Each joint must have a movable body. `gap`: see
+    /// SoftSettings::jointGap; with 0 every tree is solved directly.
+    void find(const Bodies& bodies, std::span<const Edge> edges, Real gap);
     bool empty() const { return trees_.empty(); }
     /// The rows of a joint of a tree; nullptr for other joints.
     HeldRows* rowsOf(std::uint32_t joint);
@@ -179,6 +180,7 @@ private:
     void grow(const Bodies& bodies, std::span<const Edge> edges, std::uint32_t root);
     bool growFrom(const Bodies& bodies, std::span<const Edge> edges, std::size_t from);
     std::uint32_t join(std::uint32_t body);
+    bool isCrowded(const Bodies& bodies, std::span<const Edge> edges);
     bool isDirect(const Bodies& bodies, std::span<const Edge> edges, bool anchored);
     void solveBatch(Bodies& bodies, const JointPass& pass);
     void factorizeTrees(const Bodies& bodies, const JointPass& pass, std::span<Tree* const> trees);
@@ -217,6 +219,8 @@ private:
     std::vector<std::uint32_t> reached_;  // bodies of the component being searched
     std::vector<Link> links_;             // edges of that component
     std::vector<Real> carried_;           // kg, by body of that component: with its subtree
+    std::vector<Real> joined_;            // by body of that component, see kMostJoined
+    Real gap_ = 0;                        // see find()
 };
 
 } // namespace KODO_PRECISION

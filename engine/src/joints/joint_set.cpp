@@ -223,7 +223,7 @@ bool isSoft(const Bodies& bodies, const JointDef& def) {
 
 } // namespace
 
-void JointSet::beginGroup(Bodies& bodies, DirectSolve direct, std::span<const std::uint8_t> levels,
+void JointSet::beginGroup(Bodies& bodies, Real jointGap, std::span<const std::uint8_t> levels,
                           std::uint32_t level) {
     own_.clear();
     takenRevolutes_.clear();
@@ -245,11 +245,10 @@ void JointSet::beginGroup(Bodies& bodies, DirectSolve direct, std::span<const st
         }
         springs_.add(bodies, index, def);
         if (mayBeHeld(bodies, def)) {
-            treeCandidates_.push_back(
-                {index, a, b, direct == DirectSolve::EveryTree || !isSoft(bodies, def)});
+            treeCandidates_.push_back({index, a, b, !isSoft(bodies, def)});
         }
     }
-    trees_.find(bodies, treeCandidates_);
+    trees_.find(bodies, treeCandidates_, jointGap);
     listHinges(bodies);
     springs_.find(bodies);
     for (const SpringRates::Spring& spring : springs_.all()) {

@@ -17,9 +17,6 @@
 namespace kodo {
 inline namespace KODO_PRECISION {
 
-/// Which trees of revolute joints are solved directly; see ArticulatedTrees.
-enum class DirectSolve : std::uint8_t { EveryTree, LoadedTrees };
-
 /// All joints of a World.
 class JointSet {
 public:
@@ -55,7 +52,7 @@ public:
 
         static constexpr Real kMostTurn = Real(0.0125), kMost = Real(1e12); // rad; 1/s^2
         /// Counts the load of a row. `apart`: acceleration (m/s^2 or rad/s^2) to which it drives
-        /// the bodies; `gap` (m or rad): how far it may open the joint.
+        /// the bodies; `gap` (m or rad): how far it may open it at the usual jointGap.
         void addLoad(Real apart, Real gap) { load = std::min(std::max(load, apart / gap), kMost); }
     };
 
@@ -107,8 +104,8 @@ public:
     void beginStep();
     /// Selects the joints of one level for the functions below, up to the next call: of the busy
     /// joints those with that level. A joint has the higher level of its two bodies; without
-    /// `levels`, which is by body, all have level 0.
-    void beginGroup(Bodies& bodies, DirectSolve direct, std::span<const std::uint8_t> levels = {},
+    /// `levels`, which is by body, all have level 0. `jointGap`: see ArticulatedTrees::find().
+    void beginGroup(Bodies& bodies, Real jointGap, std::span<const std::uint8_t> levels = {},
                     std::uint32_t level = 0);
     /// Revolute joints that belong to no tree, of bodies that can be moved or are locked. The
     /// caller solves them in this step. Those of bodies that can only rotate need InertiaBounds.

@@ -352,7 +352,7 @@ void Propagation::solve(const StepInput& step) {
     visits_ = 0;
     joints.beginStep();
     joints.boundBias(contactSet, step.tolerances.slop, pass.mostBias);
-    joints.beginGroup(bodies, DirectSolve::EveryTree);
+    joints.beginGroup(bodies, 0);
     for (int part = 0; part < settings.substeps; ++part) {
         substep_ = step.count * static_cast<std::uint64_t>(settings.substeps) +
                    static_cast<std::uint64_t>(part);

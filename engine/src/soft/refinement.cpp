@@ -186,10 +186,11 @@ bool Refinement::find(const Step& step) {
     seeds_.clear();
     findSeeds(step, most);
     const Real jointOmega = 2 * std::numbers::pi_v<Real> * step.jointHertz;
+    const Real gap = step.solver<SoftSettings>().jointGap / SoftSettings{}.jointGap;
     step.joints.forEachBusy([&](const JointSet::Joint& joint) {
         const std::uint32_t a = firstBody(joint.def).index;
         addSeed(step.bodies.locked(a) ? secondBody(joint.def).index : a,
-                joint.held / (jointOmega * jointOmega));
+                joint.held / (jointOmega * jointOmega) / gap);
     });
     findArrivals(step, most);
     if (!seeds_.empty()) {

@@ -205,7 +205,7 @@ void SoftSolver::solveGroup(const StepInput& step, std::uint32_t level) {
     JointPass jointPass{h, Softness::from(jointHertz, damping, h)};
     jointPass.springPasses = kSpringPasses;
     jointPass.mostBias = soft.pushSpeed * tolerances.unit();
-    joints.beginGroup(bodies, DirectSolve::LoadedTrees, refinement_.levels(), level);
+    joints.beginGroup(bodies, soft.jointGap, refinement_.levels(), level);
     joints.scaleImpulses(1 / static_cast<Real>(parts));
     revolutes_.begin(bodies, joints);
     findJointed(joints);

@@ -16,6 +16,8 @@ namespace {
 constexpr Real kMaxHertz = Real(1e9);
 constexpr Real kMaxDamping = Real(1e6);
 constexpr Real kMaxPush = Real(1e7);
+constexpr Real kLeastGap = Real(1e-4);
+constexpr Real kMostGap = Real(1e4);
 constexpr unsigned kAllFeatures = 127;
 
 std::optional<Problem> checkCount(const char* field, int value, int low, int high) {
@@ -37,10 +39,10 @@ std::optional<Problem> checkCommon(const Settings& settings) {
 }
 
 std::optional<Problem> checkSolver(const SoftSettings& settings) {
-    return firstOf(
-        {checkCommon(settings),
-         checkPositive("settings.contactHertz", settings.contactHertz, kMaxHertz),
-         checkPositive("settings.contactDamping", settings.contactDamping, kMaxDamping)});
+    return firstOf({checkCommon(settings),
+                    checkPositive("settings.contactHertz", settings.contactHertz, kMaxHertz),
+                    checkPositive("settings.contactDamping", settings.contactDamping, kMaxDamping),
+                    checkRange("settings.jointGap", settings.jointGap, kLeastGap, kMostGap)});
 }
 
 std::optional<Problem> checkSolver(const PropagationSettings& settings) {
