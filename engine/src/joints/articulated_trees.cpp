@@ -44,27 +44,36 @@ void HeldRows::add(const PointConstraint& anchors, Vec2 soFar, std::size_t) {
     armB = anchors.armB;
     reachA = length(armA);
     reachB = length(armB);
-    error[0] = anchors.error.x;
-    error[1] = anchors.error.y;
+    error = {anchors.error.x, anchors.error.y, error[2]};
     arc = anchors.arc;
-    impulse[0] = soFar.x;
-    impulse[1] = soFar.y;
+    impulse = {soFar.x, soFar.y, impulse[2]};
 }
 
 void HeldRows::add(const AxisConstraint& axis, Real soFar, std::size_t slot) {
     if (axis.axis == Vec2{}) {
         angle = true;
         angleAt = slot;
-        error[2] = axis.error;
-        impulse[2] = soFar;
+        error[2] = axis.leverB * (side == 0 ? axis.error : std::min(axis.error, Real(0)));
+        impulse[2] = axis.leverB * soFar;
         return;
     }
     across = axis.axis;
     acrossAt = slot;
-    error[0] = axis.error * across.x;
-    error[1] = axis.error * across.y;
-    impulse[0] = soFar * across.x;
-    impulse[1] = soFar * across.y;
+    error = {axis.error * across.x, axis.error * across.y, error[2]};
+    impulse = {soFar * across.x, soFar * across.y, impulse[2]};
+}
+
+bool HeldRows::hold(const AxisConstraint& limit, Real soFar, Real pressed, std::size_t slot) {
+    const bool presses = soFar > 0 || pressed * limit.leverB > 0 || limit.error < -kNear;
+    if (limit.axis != Vec2{} || (presses ? angle : side != 0)) {
+        return false;
+    }
+    side = limit.leverB;
+    angleAt = slot;
+    if (presses) {
+        add(limit, soFar, slot);
+    }
+    return true;
 }
 
 HeldRows* ArticulatedTrees::rowsOf(std::uint32_t joint) {
@@ -163,11 +172,7 @@ void ArticulatedTrees::grow(const Bodies& bodies, std::span<const Edge> edges, s
     if (!isTree || !(isCrowded(bodies, edges) || (!springs && isDirect(bodies, edges, anchored)))) {
         return;
     }
-    trees_.push_back({.firstNode = nodes_.size(),
-                      .nodes = links_.size(),
-                      .firstMember = members_.size(),
-                      .members = reached_.size(),
-                      .anchored = anchored});
+    trees_.push_back({nodes_.size(), links_.size(), members_.size(), reached_.size(), anchored});
     for (const std::uint32_t body : reached_) {
         const BodyVelocity& motion = bodies.motion[body];
         Member& member = members_.emplace_back();
@@ -177,12 +182,7 @@ void ArticulatedTrees::grow(const Bodies& bodies, std::span<const Edge> edges, s
     }
     for (const Link& link : links_) {
         const Edge& held = edges[link.edge];
-        nodes_.push_back({.joint = held.joint,
-                          .a = held.a,
-                          .b = held.b,
-                          .child = link.child,
-                          .parent = link.parent,
-                          .childIsB = link.childIsB});
+        nodes_.push_back({held.joint, held.a, held.b, link.child, link.parent, link.childIsB});
     }
 }
 

@@ -46,6 +46,7 @@ struct HeldRows {
     Vec2 across{};    // unit; of a slider: the direction that is held; else zero
     bool point = false;
     bool angle = false;       // the relative angle is held
+    Real side = 0;            // of a limit that is reached: above 0 for the lower one, else below
     std::size_t acrossAt = 0; // see JointSet::Joint::impulseAt
     std::size_t angleAt = 0;
     Real reachA = 0;    // m, length of armA
@@ -54,8 +55,14 @@ struct HeldRows {
     bool hinge = false; // a revolute joint and nothing else, see JointSet::Hinge
     bool lazy = false;  // see ArticulatedTrees::Tree
 
+    static constexpr Real kNear = Real(1) / 512; // rad, of a limit that is reached
+
     void add(const PointConstraint& anchors, Vec2 soFar, std::size_t slot);
     void add(const AxisConstraint& axis, Real soFar, std::size_t slot);
+    /// Holds the angle at a limit that is reached, if it presses, or did: `pressed` is `side` of
+    /// the substep before. False if the limit is solved
+    /// alone: along an axis, or beside the other one of an angle that cannot move.
+    bool hold(const AxisConstraint& limit, Real soFar, Real pressed, std::size_t slot);
 };
 
 /// Direct solve of joints that connect bodies without a loop, as articulated bodies
@@ -81,6 +88,10 @@ struct HeldRows {
 /// joints are solved one by one, as springs.
 ///
 /// Each elimination depends on the one before. So some trees are solved side by side, node by node.
+///
+/// A limit of an angle that is reached is held as long as it presses: alone it would see the mass
+/// of two bodies only. The solution tells whether it presses, and the next pass whether it is held.
+/// So it is one pass late, without a bias that could pull.
 ///
 /// A tree has at most one joint to an immovable body as its root. Further joints to immovable
 /// bodies close loops; they are soft, within the direct solve. Joints of any other loop, and of an

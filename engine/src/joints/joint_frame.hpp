@@ -35,13 +35,13 @@ inline Real withTurns(Real angle, Real near) {
 struct JointFrame {
     BodyVelocity& a;
     BodyVelocity& b;
-    Vec2 armA; // m, from a's centre of mass to its anchor
-    Vec2 armB;
-    Vec2 gap; // m, anchor b minus anchor a
     Rot rotationA;
     Rot rotationB;
     const Transform& startA; // pose at the start of the step
     const Transform& startB;
+    Vec2 armA{}; // m, from a's centre of mass to its anchor
+    Vec2 armB{};
+    Vec2 gap{}; // m, anchor b minus anchor a
 
     /// Arm of a (m) to anchor b. Both impulses of a joint act at anchor b, so that they conserve
     /// angular momentum however wide the gap is. The gap is then measured in the frame of a.
@@ -180,15 +180,8 @@ inline PointConstraint anchorsOf(const JointFrame& frame, const JointPass& pass,
 inline JointFrame frameOf(Bodies& bodies, BodyRotations& turned, const JointEnds& ends) {
     const std::uint32_t a = ends.a.index;
     const std::uint32_t b = ends.b.index;
-    JointFrame frame{bodies.motion[a],
-                     bodies.motion[b],
-                     {},
-                     {},
-                     {},
-                     turned.rotation(bodies, a),
-                     turned.rotation(bodies, b),
-                     bodies.pose[a],
-                     bodies.pose[b]};
+    JointFrame frame{bodies.motion[a],           bodies.motion[b], turned.rotation(bodies, a),
+                     turned.rotation(bodies, b), bodies.pose[a],   bodies.pose[b]};
     frame.armA = armOf(bodies, a, frame.rotationA, ends.anchorA);
     frame.armB = armOf(bodies, b, frame.rotationB, ends.anchorB);
     frame.gap = (bodies.pose[b].position - bodies.pose[a].position) +
@@ -201,7 +194,7 @@ inline JointFrame frameOf(Bodies& bodies, BodyRotations& turned, const MouseJoin
                           BodyVelocity& target) {
     const std::uint32_t b = mouse.body.index;
     static constexpr Transform kOrigin{};
-    JointFrame frame{target,  bodies.motion[b], {}, {}, {}, {}, turned.rotation(bodies, b),
+    JointFrame frame{target,  bodies.motion[b], {}, turned.rotation(bodies, b),
                      kOrigin, bodies.pose[b]};
     frame.armB = armOf(bodies, b, frame.rotationB, mouse.anchor);
     frame.gap = bodies.pose[b].position + frame.b.deltaPosition + frame.armB - mouse.target;

@@ -235,7 +235,7 @@ private:
         axis.borne = std::max(pushed, Real(0));
         axis.error = std::max(room, -mostError(pass_.stiff));
         axis.softness = room > 0 ? Softness::rigid(pass_.h) : pass_.stiff;
-        axis.bounds.lower = 0;
+        axis.bounds = kOneSided;
         visit_(axis, joint_.axes[slot], room > 0 ? Relax::Same : Relax::Rigid);
     }
 

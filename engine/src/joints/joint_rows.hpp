@@ -75,6 +75,8 @@ struct PointConstraint {
 inline constexpr Range kUnbounded{-std::numeric_limits<Real>::infinity(),
                                   std::numeric_limits<Real>::infinity()};
 
+inline constexpr Range kOneSided{0, kUnbounded.upper};
+
 /// The point constraint that is solved right after an angular constraint of the same joint. Let u
 /// be the change of angular speed per impulse at the point, and P the impulse that the point would
 /// apply now. Then the angular impulse is

@@ -285,20 +285,19 @@ void JointSet::listHinges(const Bodies& bodies) {
 }
 
 std::span<const std::uint32_t> JointSet::takeRevolutes(const Bodies& bodies) {
-    std::size_t kept = 0;
-    for (const std::uint32_t index : own_) {
+    std::erase_if(own_, [&](std::uint32_t index) {
         const JointDef& def = joints_[index].def;
         const auto* const revolute = std::get_if<RevoluteJoint>(&def);
-        if (revolute != nullptr && !countsTurns(*revolute) && trees_.rowsOf(index) == nullptr &&
-            joints_[index].mostBias == Joint::kNoBound &&
-            !turnsOnly(bodies.motion[firstBody(def).index]) &&
-            !turnsOnly(bodies.motion[secondBody(def).index])) {
+        const bool taken = revolute != nullptr && !countsTurns(*revolute) &&
+                           trees_.rowsOf(index) == nullptr &&
+                           joints_[index].mostBias == Joint::kNoBound &&
+                           !turnsOnly(bodies.motion[firstBody(def).index]) &&
+                           !turnsOnly(bodies.motion[secondBody(def).index]);
+        if (taken) {
             takenRevolutes_.push_back(index);
-        } else {
-            own_[kept++] = index;
         }
-    }
-    own_.resize(kept);
+        return taken;
+    });
     return takenRevolutes_;
 }
 
@@ -327,10 +326,8 @@ void JointSet::forgetUnsound() {
             continue;
         }
         Joint& joint = joints_[index];
-        Real sum = joint.angularImpulseSum;
-        for (const Real impulse : joint.axes) {
-            sum += impulse;
-        }
+        const Real sum =
+            std::accumulate(joint.axes.begin(), joint.axes.end(), joint.angularImpulseSum);
         joint.counted = std::isfinite(joint.counted) ? joint.counted : 0;
         if (!std::isfinite(sum) || !isFinite(joint.point) || !isFinite(joint.linearImpulseSum)) {
             joint.point = {};

@@ -42,9 +42,17 @@ bool isHeld(const AxisConstraint& axis, Relax relax) {
     return relax == Relax::Rigid && axis.bounds == kUnbounded;
 }
 
-/// Angular impulse (N m s) of the motor, the limits and the spring of a revolute joint.
-Real twistOf(const JointSet::Joint& joint) {
-    return joint.axes[0] + joint.axes[1] - joint.axes[2] + joint.axes[3];
+/// rad/s, of b relative to a.
+Real spinOf(const JointSet::Joint& joint, const Bodies& bodies) {
+    return bodies.motion[secondBody(joint.def).index].angularVelocity -
+           bodies.motion[firstBody(joint.def).index].angularVelocity;
+}
+
+/// True for a limit that is reached, of an angle nearly: a limit that is held must not lose it by
+/// rounding.
+bool isReached(const AxisConstraint& axis) {
+    return axis.bounds == kOneSided &&
+           axis.error <= (axis.axis == Vec2{} ? HeldRows::kNear : Real(0));
 }
 
 /// Rotates the accumulated impulse at the anchors, if one of the bodies can only rotate. The angle
@@ -55,8 +63,7 @@ void rotateImpulse(JointSet::Joint& joint, const JointFrame& frame, Real h) {
     const Real a = frame.a.invInertia * lengthSquared(frame.commonArm());
     const Real b = frame.b.invInertia * lengthSquared(frame.armB);
     if (a != b && (turnsOnly(frame.a) || turnsOnly(frame.b))) {
-        const Real spin = a > b ? frame.a.angularVelocity : frame.b.angularVelocity;
-        joint.point = Rot::fromAngle(h * spin) * joint.point;
+        joint.point = Rot::fromAngle(h * (a > b ? frame.a : frame.b).angularVelocity) * joint.point;
     }
 }
 
@@ -65,26 +72,23 @@ void rotateImpulse(JointSet::Joint& joint, const JointFrame& frame, Real h) {
 class WarmStart {
 public:
     WarmStart(JointSet::Joint& joint, const Bodies& bodies, bool inTree)
-        : joint_(joint), inTree_(inTree) {
-        before_ = bodies.motion[secondBody(joint.def).index].angularVelocity -
-                  bodies.motion[firstBody(joint.def).index].angularVelocity;
-    }
+        : joint_(joint), inTree_(inTree), before_(spinOf(joint, bodies)) {}
 
     void operator()(const JointFrame& frame, const PointConstraint& point, Vec2& impulse,
                     Relax relax) const {
         const bool revolute = std::holds_alternative<RevoluteJoint>(joint_.def);
         if (inTree_ && isHeld(point, relax)) {
-            impulse = revolute ? point.reaction(frame.a, frame.b, twistOf(joint_)) : Vec2{};
+            const Real twist = joint_.axes[0] + joint_.axes[1] - joint_.axes[2] + joint_.axes[3];
+            impulse = revolute ? point.reaction(frame.a, frame.b, twist) : Vec2{};
         }
         point.apply(frame.a, frame.b, impulse);
     }
 
     void operator()(const JointFrame& frame, const AxisConstraint& axis, Real& impulse,
                     Relax relax) const {
-        if (isHeld(axis, relax) && axis.axis == Vec2{}) {
-            keepAngle(frame, impulse);
-        } else if (isHeld(axis, relax) && inTree_) {
-            impulse = 0;
+        if (isHeld(axis, relax)) {
+            impulse = inTree_ ? Real(0) : impulse;
+            keepAngle(frame, axis, impulse);
         }
         axis.apply(frame.a, frame.b, impulse);
     }
@@ -92,14 +96,12 @@ public:
 private:
     /// Where the angle is solved last, its impulse restores the relative rotation from before the
     /// other impulses.
-    void keepAngle(const JointFrame& frame, Real& impulse) const {
+    void keepAngle(const JointFrame& frame, const AxisConstraint& axis, Real& impulse) const {
         const Real sum = frame.a.invInertia + frame.b.invInertia;
         const bool fixed = std::holds_alternative<FixedJoint>(joint_.def);
         const bool small = fixed && (turnsOnly(frame.a) || turnsOnly(frame.b));
-        if (sum > 0 && (small || (inTree_ && !fixed))) {
+        if (axis.axis == Vec2{} && sum > 0 && (small || (inTree_ && !fixed))) {
             impulse = (before_ - (frame.b.angularVelocity - frame.a.angularVelocity)) / sum;
-        } else if (inTree_) {
-            impulse = 0;
         }
     }
 
@@ -133,9 +135,8 @@ public:
             return; // see errorsOf()
         }
         joint_.counted = counted;
-        const JointFrame frame{
-            a_,         b_,        now.armA, now.armB, now.gap, now.rotationA, now.rotationB,
-            now.startA, now.startB};
+        const JointFrame frame{a_,         b_,       now.rotationA, now.rotationB, now.startA,
+                               now.startB, now.armA, now.armB,      now.gap};
         const JointPass pass{.h = 1, .stiff = {share_, 1, 0}, .biased = true, .exact = inTree_};
         JointKinds(joint_, frame, pass, [&](const auto& constraint, auto& impulse, Relax relax) {
             if (relax != Relax::Rigid || constraint.softness.biasRate == 0) {
@@ -172,16 +173,6 @@ private:
     bool inTree_;
 };
 
-/// Counts the load of a limit in a substep of h (s), without what a motor below it bears.
-void countLimit(JointSet::Joint& joint, const JointFrame& frame, const AxisConstraint& axis,
-                Real impulse, Real h) {
-    const Real load = std::abs(impulse) - axis.borne;
-    if (load > 0 && axis.axis == Vec2{}) {
-        joint.addLoad(load * axis.give(frame.a, frame.b, false) / h, JointSet::Joint::kMostTurn);
-    }
-    joint.atLimit = joint.atLimit || (load > 0 && axis.axis != Vec2{});
-}
-
 } // namespace
 
 void JointSet::warmStart(Bodies& bodies, const JointPass& pass) {
@@ -191,13 +182,19 @@ void JointSet::warmStart(Bodies& bodies, const JointPass& pass) {
         hinge.rows->pull = length(std::exchange(joints_[hinge.joint].point, Vec2{})) / pass.h;
     }
     for (const std::uint32_t index : own_) {
+        Joint& joint = joints_[index];
         HeldRows* const rows = trees_.rowsOf(index);
         if (rows != nullptr) {
-            rows->pull = length(joints_[index].point) / pass.h;
+            rows->pull = length(joint.point) / pass.h;
+            if (pass.errors == ErrorRemoval::ByVelocity &&
+                std::holds_alternative<RevoluteJoint>(joint.def)) { // the direct solve holds limits
+                rows->side =
+                    std::exchange(joint.axes[1], Real(0)) - std::exchange(joint.axes[2], Real(0));
+            }
         }
-        WarmStart start(joints_[index], bodies, rows != nullptr);
-        forConstraints(joints_[index], bodies, turned_,
-                       {pass.h, pass.stiff, pass.biased, rows != nullptr}, start);
+        WarmStart start(joint, bodies, rows != nullptr);
+        forConstraints(joint, bodies, turned_, {pass.h, pass.stiff, pass.biased, rows != nullptr},
+                       start);
     }
 }
 
@@ -231,25 +228,23 @@ void JointSet::solve(Bodies& bodies, const JointPass& pass) {
     if (before == LastPass::WarmStart && pass.biased) {
         raiseInertias(bodies, pass);
     }
-    const bool displaced = before == LastPass::Biased && !pass.biased;
     for (const std::uint32_t index : own_) {
         Joint& joint = joints_[index];
         joint.solved = true;
         joint.atLimit = joint.atLimit && !pass.settle;
         HeldRows* const rows = trees_.rowsOf(index);
+        const Real pressed = rows != nullptr && pass.biased ? rows->side : Real(0);
         if (rows != nullptr) {
             *rows = {.armA = {}, .armB = {}, .pull = rows->pull};
         } else if (const JointEnds* const ends = endsOf(joint.def);
-                   displaced && ends != nullptr && joint.point != Vec2{}) {
+                   before == LastPass::Biased && !pass.biased && ends != nullptr &&
+                   joint.point != Vec2{}) {
             rotateImpulse(joint, frameOf(bodies, turned_, *ends), pass.h);
         }
+        JointPass own = pass;
+        own.exact = rows != nullptr;
         forConstraints(
-            joint, bodies, turned_,
-            {.h = pass.h,
-             .stiff = pass.stiff,
-             .biased = pass.biased,
-             .exact = rows != nullptr,
-             .errors = pass.errors},
+            joint, bodies, turned_, own,
             [&](const JointFrame& frame, const auto& constraint, auto& impulse, Relax relax) {
                 if (rows != nullptr && isHeld(constraint, relax)) {
                     rows->armA = frame.commonArm();
@@ -257,24 +252,33 @@ void JointSet::solve(Bodies& bodies, const JointPass& pass) {
                     rows->add(constraint, impulse, joint.slotOf(impulse));
                     return;
                 }
+                if constexpr (requires { constraint.bounds; }) {
+                    if (rows != nullptr && pass.errors == ErrorRemoval::ByVelocity &&
+                        isReached(constraint) &&
+                        rows->hold(constraint, impulse, pressed, joint.slotOf(impulse))) {
+                        if ((bodies.filter[secondBody(joint.def).index].flags & kColliding) != 0) {
+                            joint.addLoad(impulse * constraint.give(frame.a, frame.b, false) /
+                                              pass.h,
+                                          Joint::kMostTurn);
+                        }
+                        return;
+                    }
+                }
                 if (pass.biased || relax != Relax::Done) {
                     constraint.solve(frame.a, frame.b, impulse,
                                      pass.biased || relax == Relax::Same);
                 }
                 if constexpr (requires { constraint.bounds; }) {
-                    if (!pass.biased && pass.settle && relax == Relax::Rigid &&
-                        !isHeld(constraint, relax) && constraint.softness.impulseScale > 0) {
-                        countLimit(joint, frame, constraint, impulse, pass.h);
-                    }
+                    joint.atLimit =
+                        joint.atLimit || (constraint.axis != Vec2{} && isReached(constraint) &&
+                                          impulse > constraint.borne);
                 }
                 if (!pass.biased && pass.last) {
                     constraint.addToSums(impulse, joint.linearImpulseSum, joint.angularImpulseSum);
                 }
             });
     }
-    if (pass.biased && pass.springPasses > 0) {
-        solveStiffSprings(bodies, pass);
-    }
+    solveStiffSprings(bodies, pass);
     inertias_.restore(bodies);
     solveTrees(bodies, pass);
 }
@@ -327,7 +331,7 @@ void JointSet::measureHinges(Bodies& bodies, const JointPass& pass) {
 /// Repeats the solution of springs with a lag. Their dampers couple all bodies of a row: after one
 /// pass, impulses of the substep before would still add energy.
 void JointSet::solveStiffSprings(Bodies& bodies, const JointPass& pass) {
-    for (int k = 0; k < pass.springPasses; ++k) {
+    for (int k = 0; pass.biased && k < pass.springPasses; ++k) {
         for (const SpringRates::Spring& spring : springs_.all()) {
             const bool held = std::visit(
                 [](const auto& kind) { return kHeldSpring<std::decay_t<decltype(kind)>>; },
@@ -365,9 +369,8 @@ void JointSet::solveTrees(Bodies& bodies, const JointPass& pass) {
             continue;
         }
         Joint& joint = joints_[index];
-        const bool slider = rows->across != Vec2{};
         Vec2 point{rows->impulse[0], rows->impulse[1]};
-        if (slider) {
+        if (rows->across != Vec2{}) {
             const Real across = dot(rows->across, point);
             joint.impulseAt(rows->acrossAt) = across;
             point = across * rows->across;
@@ -375,7 +378,11 @@ void JointSet::solveTrees(Bodies& bodies, const JointPass& pass) {
             joint.point = point;
         }
         if (rows->angle) {
-            joint.impulseAt(rows->angleAt) = rows->impulse[2];
+            const Real impulse = rows->impulse[2];
+            joint.impulseAt(rows->angleAt) =
+                rows->side == 0 ? impulse : std::max(rows->side * impulse, Real(0));
+        } else if (rows->side * spinOf(joint, bodies) < 0) { // the next pass holds it
+            joint.impulseAt(rows->angleAt) = std::numeric_limits<Real>::min();
         }
         if (!pass.biased && pass.last) {
             joint.linearImpulseSum += point;
