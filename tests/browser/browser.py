@@ -13,6 +13,7 @@ import threading
 import time
 import urllib.error
 import urllib.request
+import zlib
 
 KEYS = {"enter": "\ue007", "escape": "\ue00c", "left": "\ue012", "right": "\ue014", "up": "\ue013",
         "down": "\ue015", "tab": "\ue004", "page down": "\ue00f", "page up": "\ue00e"}
@@ -143,6 +144,13 @@ class Browser:
             self.call("DELETE", "")
         finally:
             self.driver.kill()
+
+
+def bomb(megabytes):
+    """A link's data that unpack to as many zeros, a thousand times larger."""
+    packer = zlib.compressobj(9, zlib.DEFLATED, -15)
+    parts = [packer.compress(bytes(1_000_000)) for _ in range(megabytes)]
+    return base64.urlsafe_b64encode(b"".join([*parts, packer.flush()])).decode().rstrip("=")
 
 
 class Quiet(http.server.SimpleHTTPRequestHandler):

@@ -12,7 +12,7 @@ import subprocess
 import sys
 import time
 
-from browser import Trial, judged, trial_of
+from browser import Trial, bomb, judged, trial_of
 
 REPLAYS = pathlib.Path(__file__).parents[1] / "replays"
 SIZES = ((360, 640), (1280, 720), (1920, 1080))
@@ -211,6 +211,10 @@ class Game(Trial):
         self.shot("replay")
         self.browser.open(self.address + "#replay=damaged")
         self.expect(self.arrives(TITLE), "a damaged link is told")
+        self.browser.open(self.address + "#replay=" + bomb(400))
+        self.tells("is longer than", "a link that unpacks to 400 MB")
+        read = self.number("FS.stat('/link.replay').size")
+        self.expect(read < 20e6, f"of which {read / 1e6:.1f} MB are unpacked")
 
     def drop_file(self, text, name="mine.toml"):
         self.browser.open(self.address)

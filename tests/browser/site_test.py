@@ -8,7 +8,7 @@ import json
 import pathlib
 import sys
 
-from browser import Trial, judged, trial_of
+from browser import Trial, bomb, judged, trial_of
 
 SIZES = ((360, 640), (1280, 720), (1920, 1080))
 FIRST_FRAME = 3.0  # s after the navigation
@@ -228,6 +228,16 @@ class Site(Trial):
         self.browser.open(self.address + "sandbox/#scene=damaged")
         self.expect(self.wait("document.getElementById('message').textContent === 'The link is damaged.'"),
                     "a damaged link is told")
+        with self.browser.before_pages("""const whole = Response.prototype.arrayBuffer;
+                Response.prototype.arrayBuffer = async function () {
+                    const bytes = await whole.call(this);
+                    window.unpacked = bytes.byteLength;
+                    return bytes; };"""):
+            self.browser.open(self.address + "sandbox/#scene=" + bomb(400))
+        self.expect(self.wait("document.getElementById('message').textContent.startsWith('More than 64 MB')"),
+                    "a link that unpacks to 400 MB is told")
+        read = self.number("window.unpacked")
+        self.expect(read < 70e6, f"of which {read / 1e6:.1f} MB are unpacked")
 
     def scene_file(self):
         """A World as text goes out and in; a mistake is told and loses nothing."""

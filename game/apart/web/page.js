@@ -15,6 +15,7 @@ const lastGame = folder + "/apart/last.replay";
 const packedMark = 7;
 const toLock = 500; // ms
 const toRead = 5000; // ms
+const largestReplay = 1 << 24; // bytes; kLargestReplay
 const longest = 300; // letters of a message: a link may hold any text
 let started = false;
 
@@ -28,8 +29,17 @@ function fromLink(text) {
     return Uint8Array.from(raw, (letter) => letter.charCodeAt(0));
 }
 
-async function through(stream, bytes) {
-    const all = new Blob([bytes]).stream().pipeThrough(stream);
+/// What comes out of a stream. It ends a little after `most` bytes: a short link may become gigabytes.
+async function through(stream, bytes, most) {
+    let left = most;
+    const limit = new TransformStream({ transform(part, out) {
+        out.enqueue(part);
+        left -= part.length;
+        if (left < 0) {
+            out.terminate();
+        }
+    } });
+    const all = new Blob([bytes]).stream().pipeThrough(stream).pipeThrough(limit);
     return new Uint8Array(await new Response(all).arrayBuffer());
 }
 
@@ -47,7 +57,8 @@ async function wishes() {
         const data = fromLink(asked.get("replay"));
         const packed = data[0] === packedMark;
         wish.replay = "/link.replay";
-        FS.writeFile(wish.replay, packed ? data : await through(new DecompressionStream("deflate-raw"), data));
+        const text = () => through(new DecompressionStream("deflate-raw"), data, largestReplay);
+        FS.writeFile(wish.replay, packed ? data : await text());
     }
     return wish;
 }

@@ -9,6 +9,8 @@ const kDrop = 1;
 const kLooks = ["Joints", "Contacts", "Impulses", "Bounds", "Velocities", "Centres of mass", "Ids",
                 "Colours of islands"];
 const kMeasurePause = 200; // ms
+const kLargestWorld = 64e6; // bytes, of a link; kMostBytes of page.cpp
+const kLongest = 300; // letters of a name that is told: a link may hold any text
 
 const kodo = await loadWasm(new URL("./sandbox.wasm", import.meta.url), {});
 const textAt = (at) => {
@@ -540,8 +542,17 @@ window.onkeydown = (event) => {
 // Links: #NAME of a scene, or #tour=NAME&stop=2, or #scene=DATA, a World as bytes, compressed by raw
 // deflate, as base64 for URLs; then &name=NAME of the scene that it was, and &view=X,Y,HEIGHT in metres.
 
-async function through(stream, bytes) {
-  const all = new Blob([bytes]).stream().pipeThrough(stream);
+/** What comes out of a stream. It ends a little after `most` bytes: a short link may become gigabytes. */
+async function through(stream, bytes, most = Infinity) {
+  let left = most;
+  const limit = new TransformStream({ transform(part, out) {
+    out.enqueue(part);
+    left -= part.length;
+    if (left < 0) {
+      out.terminate();
+    }
+  } });
+  const all = new Blob([bytes]).stream().pipeThrough(stream).pipeThrough(limit);
   return new Uint8Array(await new Response(all).arrayBuffer());
 }
 
@@ -575,7 +586,7 @@ async function takeWorld(data) {
   try {
     const letters = atob(data.replace(/-/g, "+").replace(/_/g, "/"));
     const small = Uint8Array.from(letters, (letter) => letter.charCodeAt(0));
-    bytes = await through(new DecompressionStream("deflate-raw"), small);
+    bytes = await through(new DecompressionStream("deflate-raw"), small, kLargestWorld);
   } catch {
     throw new Error("The link is damaged.");
   }
@@ -672,7 +683,7 @@ async function enter() {
   open(Math.max(0, scene));
   if (data === null) {
     if (scene < 0 && name !== "") {
-      say(`The link names no scene: ${name}. This is the first one.`, "error");
+      say(`The link names no scene: ${name.slice(0, kLongest)}. This is the first one.`, "error");
     }
     return;
   }
