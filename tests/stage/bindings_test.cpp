@@ -46,6 +46,30 @@ TEST(Bindings, ATouchScreenIsToldOfFingers) {
     EXPECT_FALSE(rig.picture().says("left button"));
 }
 
+TEST(Bindings, ATouchScreenLeavesTheHelpByTaps) {
+    StageDef def = StageRig::twoLevels();
+    def.profile.bindings.fingers = true;
+    StageRig rig(std::move(def));
+    rig.clickItem(Action::Help);
+    ASSERT_EQ(rig.stage.screen(), Screen::Help);
+    EXPECT_TRUE(rig.picture().says("tap: the powers"));
+    EXPECT_FALSE(rig.picture().says("F11"));
+    rig.click({0, 5});
+    EXPECT_TRUE(rig.picture().says("tap: back"));
+    rig.click({0, 5});
+    EXPECT_EQ(rig.stage.screen(), Screen::Title);
+}
+
+TEST(Bindings, ATouchScreenHasAMapWithoutKeys) {
+    StageDef def = StageRig::twoLevels();
+    def.profile.bindings.fingers = true;
+    StageRig rig(std::move(def));
+    rig.clickItem(Action::Levels);
+    EXPECT_TRUE(rig.picture().says("edit"));
+    EXPECT_FALSE(rig.picture().says("edit (E)"));
+    EXPECT_FALSE(rig.picture().says("escape"));
+}
+
 TEST(Bindings, ATouchScreenHasATitleForFingers) {
     StageDef def = StageRig::twoLevels();
     def.profile.bindings.fingers = true;

@@ -89,10 +89,11 @@ void paintHeading(Canvas& canvas, std::string_view text) {
                 {Real(1.4), palette::kText, Typeface::Display, Align::Middle});
 }
 
-void paintOptions(Canvas& canvas, const Menu& menu, std::string_view question) {
+void paintOptions(Canvas& canvas, const Menu& menu, std::string_view question, bool fingers) {
     paintVeil(canvas, faded(palette::kNight, 0.80f));
     paintHeading(canvas, "Options");
-    canvas.text("left and right, or a click on the bar", {0, Real(1.7)}, quiet(Real(0.42)));
+    canvas.text(fingers ? "tap a bar or a word" : "left and right, or a click on the bar",
+                {0, Real(1.7)}, quiet(Real(0.42)));
     paintQuestion(canvas, question, Real(0.3));
     menu.draw(canvas);
 }
@@ -245,8 +246,10 @@ void paintOver(Canvas& canvas, const Stage& stage) {
         kGameNotices);
     if (stage.def_.sharing.copy) {
         const bool film = stage.def_.sharing.film && end.rerun;
-        canvas.text(film ? "C: copy a link to this game      G: film of the fall"
-                         : "C: copy a link to this game",
+        const bool fingers = stage.records_.profile().bindings.fingers;
+        canvas.text(fingers ? "the chain symbol: copy a link to this game"
+                    : film  ? "C: copy a link to this game      G: film of the fall"
+                            : "C: copy a link to this game",
                     {0, Real(16.7)}, quiet(Real(0.42)));
     }
     stage.menu_.draw(canvas);
@@ -322,7 +325,8 @@ void Stage::draw(Canvas& canvas) const {
     case Screen::Levels:
         return map_.draw(canvas, records_, seconds_);
     case Screen::Options:
-        return paintOptions(canvas, menu_, confirm_.question(seconds_));
+        return paintOptions(canvas, menu_, confirm_.question(seconds_),
+                            records_.profile().bindings.fingers);
     case Screen::Keys:
         paintVeil(canvas, faded(palette::kNight, 0.84f));
         return pages_.keys.draw(canvas, records_.profile().bindings);

@@ -291,7 +291,8 @@ void Stage::takeMenu(const Signals& signals, Speaker& speaker) {
         }
     }
     if (signals.clicked && pages_.help && screen_ == Screen::Help) {
-        return pages_.help->turn();
+        const bool leaves = records_.profile().bindings.fingers && pages_.help->showsPowers();
+        return leaves ? back() : pages_.help->turn(); // a finger has no key to leave by
     }
     Signals heard = signals;
     if (!takesChoice()) {

@@ -43,10 +43,21 @@ std::array<Topic, 6> topicsFor(const Bindings& keys) {
         {"buildings", "what has fallen counts; a collapse up to eightfold"},
         {"glow", "no hit for long: a pull tears the lowest block off"},
         {"modes", "pure never bends a path, assisted slows the ball"},
-        {"keys",
-         fmt::format("{}: pause  {}: again  {}: sound  F11: full screen", keys.firstKey(Act::Pause),
-                     keys.firstKey(Act::Restart), keys.firstKey(Act::Mute))},
+        {keys.fingers ? "pause" : "keys",
+         keys.fingers ? "a button in the corner"
+                      : fmt::format("{}: pause  {}: again  {}: sound  F11: full screen",
+                                    keys.firstKey(Act::Pause), keys.firstKey(Act::Restart),
+                                    keys.firstKey(Act::Mute))},
     }};
+}
+
+/// Where the page leads to, of the powers or of the scenes.
+std::string_view footOf(bool powers, bool fingers) {
+    if (fingers) {
+        return powers ? "tap: back" : "tap: the powers";
+    }
+    return powers ? "left, right, click: how to play      escape or enter: back"
+                  : "left, right, click: the powers      escape or enter: back";
 }
 
 /// Name of a scene, what to press for it, and what it shows.
@@ -260,9 +271,8 @@ void HelpPage::drawScene(Canvas& canvas, HelpTopic topic, const Aabb& box) const
 }
 
 void HelpPage::draw(Canvas& canvas, const Bindings& keys) const {
-    canvas.text(powers_ ? "left, right, click: how to play      escape or enter: back"
-                        : "left, right, click: the powers      escape or enter: back",
-                {0, Real(-0.2)}, {kText, palette::kQuiet, Typeface::Plain, Align::Middle});
+    canvas.text(footOf(powers_, keys.fingers), {0, Real(-0.2)},
+                {kText, palette::kQuiet, Typeface::Plain, Align::Middle});
     if (powers_) {
         return paintPowersPage(canvas);
     }

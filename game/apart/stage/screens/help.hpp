@@ -21,6 +21,7 @@ public:
     void advance(double seconds);
     /// Shows the other page: the powers, or the scenes again.
     void turn() { powers_ = !powers_; }
+    bool showsPowers() const { return powers_; }
     /// Covers the whole picture.
     void draw(Canvas& canvas, const Bindings& keys) const;
 

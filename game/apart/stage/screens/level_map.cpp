@@ -349,15 +349,17 @@ void LevelMap::drawFoot(Canvas& canvas, const Records& records) const {
         checks = checks || standing.proof == Proof::Waiting;
     }
     const Aabb back = backPlace();
-    canvas.text("\u2039 back (escape)", {back.lower.x, back.lower.y + Real(0.55)},
+    const bool fingers = records.profile().bindings.fingers;
+    canvas.text(fingers ? "\u2039 back" : "\u2039 back (escape)",
+                {back.lower.x, back.lower.y + Real(0.55)},
                 {Real(0.46), palette::kText, Typeface::Plain, Align::Left, Real(5.2)});
     const auto offer = [&](const Aabb& place, const char* text) {
         canvas.text(text, {place.lower.x, place.lower.y + Real(0.55)},
                     {Real(0.46), palette::kText, Typeface::Plain, Align::Left,
                      place.extent().x - Real(0.1)});
     };
-    offer(editPlace(), "edit (E)");
-    offer(newPlace(), "new (N)");
+    offer(editPlace(), fingers ? "edit" : "edit (E)");
+    offer(newPlace(), fingers ? "new" : "new (N)");
     canvas.text(
         fmt::format("{} of {} cleared, {} {}", cleared, levels_.size(),
                     countText(std::min<std::int64_t>(points, 999999999), "point"),
