@@ -16,7 +16,7 @@ from browser import Trial, bomb, judged, trial_of
 
 REPLAYS = pathlib.Path(__file__).parents[1] / "replays"
 SIZES = ((360, 640), (1280, 720), (1920, 1080))
-TITLE, LEVELS, PLAYING, PAUSED, OVER, DUEL = 0, 1, 7, 8, 9, 13  # of Screen in stage.hpp
+TITLE, LEVELS, HELP, PLAYING, PAUSED, OVER, DUEL = 0, 1, 6, 7, 8, 9, 13  # of Screen in stage.hpp
 MODE, PADDLE, SERVING, CHOSEN, BALL, RESULT = 4, 5, 6, 7, 8, 9  # of gameState() in main.cpp
 ASSISTED = 2  # of Mode in things.hpp
 WON = 1  # of Result in game_state.hpp
@@ -233,6 +233,8 @@ class Game(Trial):
             self.browser.open(self.address + "#" + link)
             self.expect(self.arrives(TITLE), f"#{link} starts with the title")
             self.tells("there is no level", f"#{link}")
+            told = self.number("document.getElementById('news').textContent")
+            self.expect(len(told) <= 302 and told.endswith((" \u2026", ".")), "no word of it is cut in two")
         example = pathlib.Path(__file__).parents[2] / "game/examples/gallows.toml"
         self.drop_file(example.read_text(encoding="utf-8"))
         self.expect(self.arrives(PLAYING), "a dropped level is played")
@@ -289,6 +291,12 @@ class Game(Trial):
         self.shot("phone-map")
         self.tap("back")
         self.expect(self.arrives(TITLE), "a tap on its word leaves the map")
+        self.tap("How to play")
+        self.expect(self.arrives(HELP), "a tap opens the help")
+        for _ in range(2):
+            self.draws(10)
+            self.browser.tap(180, 320)
+        self.expect(self.arrives(TITLE), "and two more leave it")
         self.tap("Map")
         self.arrives(LEVELS)
         self.tap("2", 18)

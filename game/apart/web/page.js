@@ -20,7 +20,8 @@ const longest = 300; // letters of a message: a link may hold any text
 let started = false;
 
 function tell(sentence) {
-    news.textContent = sentence.slice(0, longest);
+    const cut = sentence.length > longest;
+    news.textContent = cut ? sentence.slice(0, sentence.lastIndexOf(" ", longest)) + " \u2026" : sentence;
     news.hidden = sentence === "";
 }
 
