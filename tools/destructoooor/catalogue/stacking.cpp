@@ -174,7 +174,7 @@ const Scene kStackingScenes[] = {
      }},
     {kMassRatio, "Hundredfold on ten", "Does a box of 100 kg rest on ten of 1 kg?",
      "The tower stands as if all were equal.", buildHeavyOnLight<100>, 10, towerStands},
-    {kMassRatio, "Thousandfold on ten", "And one of 1,000 kg?",
+    {kMassRatio, "Thousandfold on ten", "Does a box of 1,000 kg rest on ten of 1 kg?",
      "It stands too. Try the profile 'fast': there it sinks.", buildHeavyOnLight<1000>, 10,
      [](const kodo::World& world, const Ids& ids) {
          return isNear(world[ids.back()].center(), {0, 10.5_r}, 0.3_r);
