@@ -109,6 +109,27 @@ class Site(Trial):
         self.expect(self.number("document.getElementById('verdict').textContent") == "As expected.",
                     "a scene without a touch is judged as expected")
 
+    def not_judged(self):
+        """What was touched is not judged, and that is told, until it starts again."""
+        told = "document.getElementById('verdict').textContent"
+        self.scene("Pendulum")
+        self.browser.run("sandbox.kodo.sandbox_pointer(0, 1, 8, 8); sandbox.kodo.sandbox_pointer(2, 1, 8, 8);"
+                         "for (let i = 0; i < 420; ++i) sandbox.kodo.sandbox_step();")
+        self.expect(self.wait(f"{told}.startsWith('Not judged')", 5), f"a scene that was touched: {self.number(told)}")
+        self.browser.run("document.getElementById('restart').click();")
+        self.expect(self.wait(f"{told} === ''", 5), "a restart takes that back")
+
+    def refused_clipboard(self):
+        """A link that the clipboard refuses is shown, and no wider than the screen."""
+        self.browser.resize(360, 640)
+        self.scene("Pyramid")
+        self.browser.run("navigator.clipboard.writeText = () => Promise.reject(new Error('no'));"
+                         "document.getElementById('share').click();")
+        message = "document.getElementById('message').textContent"
+        self.expect(self.wait(f"{message}.includes('Copy this') && {message}.includes('#scene=')", 10),
+                    "a link that cannot be copied is shown")
+        self.fits("a long link")
+
     def panel(self):
         """Buttons show which profile is in use, and a hand is told without a move of the picture."""
         self.scene("Pyramid")
@@ -179,7 +200,7 @@ class Site(Trial):
             self.wait("document.getElementById('verdict').textContent !== ''")
             self.expect(self.number("document.getElementById('verdict').textContent") == "As expected.",
                         "its overlap is as expected")
-            self.expect(self.number("document.getElementById('difference').textContent").startswith("apart"),
+            self.expect(self.number("document.getElementById('difference').textContent").startswith("Red outlines: apart"),
                         "with and without shock passes are beside each other")
             self.fits(f"the tour at {width} x {height}")
             self.expect(not self.browser.run(SMALL), f"fingers hit each control {self.browser.run(SMALL)}")
@@ -395,7 +416,8 @@ def refused(site):
 
 def main(page, pictures):
     with trial_of(Site, page, pictures) as site:
-        for part in (site.start_page, site.examples, site.sandbox, site.verdict, site.panel, site.graphs, site.keyboard,
+        for part in (site.start_page, site.examples, site.sandbox, site.verdict, site.not_judged,
+                     site.refused_clipboard, site.panel, site.graphs, site.keyboard,
                      site.tours, site.share, site.links, site.touch, site.abandoned, site.home,
                      site.frames, site.blocked):
             part()

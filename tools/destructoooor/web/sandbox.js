@@ -34,6 +34,7 @@ function drawsInSoftware() {
 const context = canvas.getContext("2d", { willReadFrequently: drawsInSoftware() });
 
 const state = { scene: 0, tour: -1, stop: 0, file: false, // no tour: -1; a World that was loaded
+                judgedAt: 0, // steps
                 hand: kDrag, thing: 0, size: 1, paused: false, owed: 0, last: performance.now() };
 const view = { x: 0, y: 0, height: 16 }; // m
 let cursor = null; // m, of the keyboard
@@ -117,6 +118,7 @@ function go(by) {
 /** Shows what has been opened: its name, the end of its link, its texts, and when it is judged. */
 function arrive(name, link, question, expectation, seconds) {
   state.file = false;
+  state.judgedAt = seconds / kStep;
   element("tour").hidden = state.tour < 0;
   element("question").textContent = question;
   element("expectation").textContent =
@@ -276,6 +278,10 @@ function refresh() {
   showMeasures();
 }
 
+const kNotJudged = 2;
+const kVerdicts = { [-1]: "", 0: "Not as expected.", 1: "As expected.",
+                    [kNotJudged]: "Not judged, since something was touched. Restart, to have it judged." };
+const kLate = 5; // steps after the one that is judged
 let shownVerdict = -1;
 let measuresAt = 0; // ms, when they were shown
 function showTime() {
@@ -286,12 +292,12 @@ function showTime() {
   time.value = tick;
   time.setAttribute("aria-valuetext", `${(tick * kStep).toFixed(2)} seconds`);
   element("seconds").textContent = `${(tick * kStep).toFixed(2)} s`;
-  const verdict = kodo.sandbox_verdict();
+  const late = !state.file && tick > state.judgedAt + kLate;
+  const verdict = kodo.sandbox_verdict() < 0 && late ? kNotJudged : kodo.sandbox_verdict();
   if (verdict !== shownVerdict) {
     shownVerdict = verdict;
-    element("verdict").className = verdict === 1 ? "held" : "failed";
-    element("verdict").textContent =
-      verdict < 0 ? "" : verdict === 1 ? "As expected." : "Not as expected.";
+    element("verdict").className = ["failed", "held"][verdict] ?? "";
+    element("verdict").textContent = kVerdicts[verdict];
   }
 }
 
@@ -302,7 +308,7 @@ function showMeasures() {
   });
   measures.forEach(drawGraph);
   const apart = kodo.sandbox_difference();
-  element("difference").textContent = apart > 0 ? `apart by ${apart.toPrecision(3)} m` : "";
+  element("difference").textContent = apart > 0 ? `Red outlines: apart by ${apart.toPrecision(3)} m` : "";
 }
 
 function rewind(tick) {
@@ -708,7 +714,7 @@ async function copy(text, done) {
     await navigator.clipboard.writeText(text);
     say(done, "done");
   } catch {
-    say(text);
+    say(`The browser refuses its clipboard. Copy this:\n${text}`);
   }
 }
 
