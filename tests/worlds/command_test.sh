@@ -27,8 +27,8 @@ over=18446744073709551616
 
 expect 0 '^  sleep ' "$program" --help
 expect 0 'of 1 worlds, 0 findings' "$program" --count 1 --seed 1
-expect 0 '^world 3' "$program" --seed 18446744073709551615 --print
-expect 0 '^world 3' "$program" --seed 18446744073709551615 --print --ordinary
+expect 0 '^world 4' "$program" --seed 18446744073709551615 --print
+expect 0 '^world 4' "$program" --seed 18446744073709551615 --print --ordinary
 "$program" --ordinary --seed 71 --print >seesaw
 expect 0 'seesaw: no finding' "$program" --ordinary --replay seesaw
 expect 0 'seesaw: no finding' "$program" --invariances --replay seesaw

@@ -206,6 +206,7 @@ private:
     void measureHinges(Bodies& bodies, const JointPass& pass);
     void raiseInertias(Bodies& bodies, const JointPass& pass);
     void solveStiffSprings(Bodies& bodies, const JointPass& pass);
+    bool releasePulls(Bodies& bodies);
     void solveTrees(Bodies& bodies, const JointPass& pass);
 };
 

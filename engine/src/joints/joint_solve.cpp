@@ -350,6 +350,27 @@ void JointSet::solveStiffSprings(Bodies& bodies, const JointPass& pass) {
     }
 }
 
+/// Takes back the impulses of held limits that pull instead of pressing. True if there is one.
+bool JointSet::releasePulls(Bodies& bodies) {
+    bool any = false;
+    for (const std::uint32_t index : own_) {
+        HeldRows* const rows = trees_.rowsOf(index);
+        if (rows == nullptr || !rows->angle || !(rows->side * rows->impulse[2] < 0)) {
+            continue;
+        }
+        Joint& joint = joints_[index];
+        BodyVelocity& a = bodies.motion[firstBody(joint.def).index];
+        BodyVelocity& b = bodies.motion[secondBody(joint.def).index];
+        const Real pull = std::exchange(rows->impulse[2], Real(0));
+        a.angularVelocity += a.invInertia * pull;
+        b.angularVelocity -= b.invInertia * pull;
+        joint.impulseAt(rows->angleAt) = 0;
+        rows->angle = false;
+        any = true;
+    }
+    return any;
+}
+
 /// Solves the articulated trees and stores the impulses of their rows in the joints.
 void JointSet::solveTrees(Bodies& bodies, const JointPass& pass) {
     if (trees_.empty()) {
@@ -357,6 +378,9 @@ void JointSet::solveTrees(Bodies& bodies, const JointPass& pass) {
     }
     measureHinges(bodies, pass);
     trees_.solve(bodies, pass);
+    if (releasePulls(bodies)) {
+        trees_.solve(bodies, pass);
+    }
     for (const Hinge& hinge : hinges_) {
         Joint& joint = joints_[hinge.joint];
         const Vec2 impulse{hinge.rows->impulse[0], hinge.rows->impulse[1]};
