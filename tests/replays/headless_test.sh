@@ -135,4 +135,19 @@ expect 2 'A subcommand is required.*Try apart-headless --help' "$program"
 expect 2 "^apart-headless: There is no command 'bogus'. Try apart-headless --help" "$program" bogus
 expect 2 "There is no option '--bogus'" "$program" --bogus
 expect 2 'not expected: bogus' "$program" bot bogus
+
+# An output that is lost is told, be it short or long.
+to_full() {
+    "$program" "$@" >/dev/full
+}
+closed() {
+    "$program" "$@" >&-
+}
+for sink in to_full closed; do
+    expect 2 'written to its end|cannot write' $sink --help
+    expect 2 'written to its end|cannot write' $sink levels
+    expect 2 'written to its end|cannot write' $sink verify --json "$replays/won.replay"
+    expect 2 'written to its end|cannot write' $sink replay "$replays/won.replay"
+    expect 2 'written to its end|cannot write' $sink lint first_light
+done
 exit "$failed"

@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <exception>
 #include <optional>
 #include <string>
@@ -363,7 +364,11 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     try {
-        return apart::run(argc, argv);
+        const int code = apart::run(argc, argv);
+        if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+            throw apart::Refusal{"the output could not be written to its end"};
+        }
+        return code;
     } catch (const apart::Refusal& refusal) {
         fmt::print(stderr, "apart-headless: {}\n", refusal.sentence);
     } catch (const std::exception& error) {

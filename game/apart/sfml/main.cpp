@@ -22,6 +22,7 @@
 #include <ctime>
 #include <exception>
 #include <filesystem>
+#include <stdexcept>
 
 namespace apart {
 namespace {
@@ -206,6 +207,9 @@ int main(int argc, char** argv) {
     try {
         const auto options = apart::parseOptions(argc, argv);
         if (const int* code = std::get_if<int>(&options)) {
+            if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+                throw std::runtime_error("the output could not be written to its end");
+            }
             return *code;
         }
         return apart::run(std::get<apart::Options>(options));
