@@ -16,7 +16,8 @@ void History::record(const kodo::World& world, bool changed) {
         return;
     }
     copies_.push_back(world);
-    if (copies_.size() > kMost) {
+    while (copies_.size() > 1 &&
+           (copies_.size() > kMost || copies_.size() * world.bodyCount() > kMostBodies)) {
         copies_.pop_front();
     }
 }

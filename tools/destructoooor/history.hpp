@@ -20,10 +20,13 @@ public:
     /// Forgets copies of later ticks.
     void forgetAfter(std::uint64_t tick);
     std::uint64_t first() const;
+    std::size_t size() const { return copies_.size(); }
 
 private:
     static constexpr std::uint64_t kEvery = 30; // ticks
-    static constexpr std::size_t kMost = 400;   // copies; then the oldest one is dropped
+    // Beyond these the oldest copies are dropped. A body takes about 0.5 kB of a copy.
+    static constexpr std::size_t kMost = 400;
+    static constexpr std::size_t kMostBodies = 1000000; // of all copies
 
     std::deque<kodo::World> copies_; // by stepCount()
 };

@@ -210,6 +210,12 @@ private:
     void solveTrees(Bodies& bodies, const JointPass& pass);
 };
 
+/// rad/s, of b relative to a.
+inline Real spinOf(const JointSet::Joint& joint, const Bodies& bodies) {
+    return bodies.motion[secondBody(joint.def).index].angularVelocity -
+           bodies.motion[firstBody(joint.def).index].angularVelocity;
+}
+
 /// Where a joint is, and how it moves.
 JointState stateOf(const JointSet::Joint& joint, const Bodies& bodies);
 
