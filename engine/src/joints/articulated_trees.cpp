@@ -148,8 +148,8 @@ void ArticulatedTrees::find(const Bodies& bodies, std::span<const Edge> edges, R
 }
 
 /// Adds the tree of an edge. A component with a loop is skipped. An unanchored tree that touches
-/// something is skipped too: contacts and joints are solved alternately there, and only soft joints
-/// let both converge.
+/// something is skipped too, unless it is crowded: contacts and joints are solved alternately
+/// there, and only soft joints let both converge.
 void ArticulatedTrees::grow(const Bodies& bodies, std::span<const Edge> edges, std::uint32_t root) {
     reached_.clear();
     links_.clear();

@@ -60,8 +60,8 @@ struct HeldRows {
     void add(const PointConstraint& anchors, Vec2 soFar, std::size_t slot);
     void add(const AxisConstraint& axis, Real soFar, std::size_t slot);
     /// Holds the angle at a limit that is reached, if it presses, or did: `pressed` is `side` of
-    /// the substep before. False if the limit is solved
-    /// alone: along an axis, or beside the other one of an angle that cannot move.
+    /// the substep before. False if the limit is solved alone: along an axis, or beside the other
+    /// one of an angle that cannot move.
     bool hold(const AxisConstraint& limit, Real soFar, Real pressed, std::size_t slot);
 };
 
@@ -90,13 +90,13 @@ struct HeldRows {
 /// Each elimination depends on the one before. So some trees are solved side by side, node by node.
 ///
 /// A limit of an angle that is reached is held as long as it presses: alone it would see the mass
-/// of two bodies only. The solution tells whether it presses, and the next pass whether it is held.
-/// So it is one pass late, without a bias that could pull.
+/// of two bodies only. If it pulls in the solution, it is released, and the tree is solved again.
+/// If its angle then closes, the next pass holds it.
 ///
 /// A tree has at most one joint to an immovable body as its root. Further joints to immovable
 /// bodies close loops; they are soft, within the direct solve. Joints of any other loop, and of an
 /// unanchored tree that touches something, are not part of a tree: they are solved one by one, as
-/// springs.
+/// springs. Trees with a body of too many joints for springs are solved directly in any case.
 class ArticulatedTrees {
 public:
     /// A joint that may belong to a tree, and its bodies.

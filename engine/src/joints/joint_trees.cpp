@@ -64,7 +64,7 @@ void JointSet::solveTrees(Bodies& bodies, const JointPass& pass) {
     }
     measureHinges(bodies, pass);
     trees_.solve(bodies, pass);
-    if (releasePulls(bodies)) {
+    while (releasePulls(bodies)) { // at most once for each limit
         trees_.solve(bodies, pass);
     }
     for (const Hinge& hinge : hinges_) {
