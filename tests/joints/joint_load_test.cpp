@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace kodo {
 namespace {
@@ -167,27 +168,34 @@ TEST(JointLoads, AStrongMotorStaysAtTheLimitOfItsJoint) {
 
 /// How far an arm of three hinged bars of 0.2 kg passes the limits of its hinges under a hand of
 /// `load` kg (rad), and how fast they turn after six seconds (rad/s). Motors push to and fro.
-std::pair<Real, Real> passesLimits(Real rate, Real load, Real torque) {
+/// `side`: 1, or -1 for the mirror image; `exchanged`: each bar is body a of its hinge in place of
+/// body b.
+std::pair<Real, Real> passesLimits(Real rate, Real load, Real torque, Real side, bool exchanged) {
     World world{{.gravity = support::kEarth}};
     BodyId last = world.add({.shape = Box{1, 1}, .type = BodyType::Static, .flags = kDisabled});
     std::vector<JointId> hinges;
     for (int i = 0; i < 3; ++i) {
-        const Vec2 end{i == 0 ? Real(0) : Real(0.5), 0};
+        const Vec2 end{i == 0 ? Real(0) : side / 2, 0};
+        const Real speed = (i == 1 ? Real(-2) : Real(2)) * (exchanged ? -side : side);
         const BodyId bar = world.add({.shape = Box{1, Real(0.2)},
-                                      .position = {static_cast<Real>(i) + Real(0.5), 0},
+                                      .position = {side * (static_cast<Real>(i) + Real(0.5)), 0},
                                       .flags = kDisabled});
-        hinges.push_back(world.add(
-            RevoluteJoint{.ends = {.a = last, .b = bar, .anchorA = end, .anchorB = {Real(-0.5), 0}},
-                          .limits = Range{Real(-0.3), Real(0.3)},
-                          .motorSpeed = i == 1 ? Real(-2) : Real(2),
-                          .motorTorque = torque}));
+        JointEnds ends{.a = last, .b = bar, .anchorA = end, .anchorB = {-side / 2, 0}};
+        if (exchanged) {
+            std::swap(ends.a, ends.b);
+            std::swap(ends.anchorA, ends.anchorB);
+        }
+        hinges.push_back(world.add(RevoluteJoint{.ends = ends,
+                                                 .limits = Range{Real(-0.3), Real(0.3)},
+                                                 .motorSpeed = speed,
+                                                 .motorTorque = torque}));
         last = bar;
     }
     const BodyId hand = world.add({.shape = Box{Real(0.5), Real(0.5)},
-                                   .position = {3, 0},
+                                   .position = {3 * side, 0},
                                    .density = 4 * load,
                                    .flags = kDisabled});
-    world.add(FixedJoint{.ends = {.a = last, .b = hand, .anchorA = {Real(0.5), 0}}});
+    world.add(FixedJoint{.ends = {.a = last, .b = hand, .anchorA = {side / 2, 0}}});
     Real beyond = 0;
     Real fastest = 0;
     for (int step = 0; step < static_cast<int>(8 * rate); ++step) {
@@ -209,9 +217,17 @@ TEST(JointLoads, AnArmOfSeveralBarsStaysAtItsLimitsAtAnyRate) {
     for (const Real rate : {Real(30), Real(60), Real(120), Real(240)}) {
         for (const Real load : {Real(2), Real(20), Real(200)}) {
             for (const Real torque : {Real(0), 3 * load}) {
-                const auto [beyond, fastest] = passesLimits(rate, load, torque);
-                EXPECT_LT(beyond, Real(0.02)) << rate << " " << load << " " << torque;
-                EXPECT_LT(fastest, Real(0.001)) << rate << " " << load << " " << torque;
+                for (const Real side : {Real(1), Real(-1)}) {
+                    for (const bool exchanged : {false, true}) {
+                        const auto [beyond, fastest] =
+                            passesLimits(rate, load, torque, side, exchanged);
+                        const auto says = testing::Message()
+                                          << rate << " Hz, " << load << " kg, " << torque
+                                          << " N m, side " << side << ", exchanged " << exchanged;
+                        EXPECT_LT(beyond, Real(0.02)) << says;
+                        EXPECT_LT(fastest, Real(0.001)) << says;
+                    }
+                }
             }
         }
     }
