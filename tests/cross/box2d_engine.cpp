@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <scenes/in_box2d.hpp>
 
+#include <box2d/b2_distance.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -164,6 +166,36 @@ public:
         } first;
         world_->RayCast(&first, scenes::toBox2d(from), scenes::toBox2d(to));
         return first.found;
+    }
+
+    /// Box2D casts a shape at one other: each fixture is asked.
+    std::optional<RayFound> shapeCast(const scenes::Part& shape, scenes::Vec2 from,
+                                      scenes::Vec2 to) const override {
+        std::optional<RayFound> found;
+        const auto ask = [&](const auto& moving) {
+            for (b2Body* body = world_->GetBodyList(); body != nullptr; body = body->GetNext()) {
+                for (b2Fixture* one = body->GetFixtureList(); one != nullptr;
+                     one = one->GetNext()) {
+                    b2ShapeCastInput input;
+                    input.proxyA.Set(one->GetShape(), 0);
+                    input.proxyB.Set(&moving, 0);
+                    input.transformA = body->GetTransform();
+                    input.transformB = b2Transform(scenes::toBox2d(from), b2Rot(0));
+                    input.translationB = scenes::toBox2d(to - from);
+                    b2ShapeCastOutput output{};
+                    if (b2ShapeCast(&output, &input) &&
+                        (!found || static_cast<double>(output.lambda) < found->fraction)) {
+                        found = RayFound{indexOf(body), static_cast<double>(output.lambda)};
+                    }
+                }
+            }
+        };
+        if (const auto* circle = std::get_if<scenes::Circle>(&shape)) {
+            ask(scenes::box2dShape(*circle));
+        } else {
+            ask(scenes::box2dShape(std::get<scenes::Box>(shape)));
+        }
+        return found;
     }
 
     std::vector<std::size_t> overlap(scenes::Vec2 low, scenes::Vec2 high) const override {

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <iterator>
 #include <numeric>
 #include <set>
+#include <sstream>
 #include <utility>
 
 namespace crosscheck {
@@ -57,14 +59,59 @@ FigureAdder& FigureAdder::agree(double tolerance, const std::string& reason) {
 FigureAdder& FigureAdder::atMost(double value, const std::string& reason) {
     return set(Rule::AtMost, value, 0, reason);
 }
+FigureAdder& FigureAdder::accurate(double tolerance, const std::string& reason) {
+    last().accurate = Own{tolerance, reason};
+    return *this;
+}
+FigureAdder& FigureAdder::thesis(double tolerance, const std::string& reason) {
+    last().thesis = Own{tolerance, reason};
+    return *this;
+}
+FigureAdder& FigureAdder::withShock(double tolerance, const std::string& reason) {
+    last().withShock = Own{tolerance, reason};
+    return *this;
+}
+FigureAdder& FigureAdder::withoutShock(double tolerance, const std::string& reason) {
+    last().withoutShock = Own{tolerance, reason};
+    return *this;
+}
 FigureAdder& FigureAdder::box2d(double tolerance, const std::string& reason) {
-    last().box2d = Wider{tolerance, reason};
+    last().box2d = Own{tolerance, reason};
     return *this;
 }
-FigureAdder& FigureAdder::propagation(double tolerance, const std::string& reason) {
-    last().propagation = Wider{tolerance, reason};
+FigureAdder& FigureAdder::box2d3(double tolerance, const std::string& reason) {
+    last().box2d3 = Own{tolerance, reason};
     return *this;
 }
+
+namespace {
+
+/// Lines "scene | figure | errors".
+void readErrors(std::vector<CrossScene>& book) {
+    std::ifstream file(CROSS_ERRORS);
+    std::map<std::string, Errors> table;
+    for (std::string line; std::getline(file, line);) {
+        const std::size_t at = line.rfind(" | ");
+        if (at == std::string::npos) {
+            continue; // a comment
+        }
+        std::istringstream numbers(line.substr(at + 3));
+        Errors& errors = table[line.substr(0, at)];
+        for (double& error : errors) {
+            numbers >> error;
+        }
+    }
+    for (CrossScene& scene : book) {
+        for (Figure& figure : scene.figures) {
+            const auto found = table.find(scene.name + " | " + figure.what);
+            if (found != table.end()) {
+                figure.errors = found->second;
+            }
+        }
+    }
+}
+
+} // namespace
 
 const std::vector<CrossScene>& sceneBook() {
     static const std::vector<CrossScene> book = [] {
@@ -75,6 +122,7 @@ const std::vector<CrossScene>& sceneBook() {
             std::vector<CrossScene> some = chapter();
             std::move(some.begin(), some.end(), std::back_inserter(all));
         }
+        readErrors(all);
         return all;
     }();
     return book;
@@ -136,6 +184,10 @@ public:
     bool isAsleep(std::size_t body) const override { return engine_.isAsleep(body); }
     std::optional<RayFound> rayCast(scenes::Vec2 from, scenes::Vec2 to) const override {
         return engine_.rayCast(from, to);
+    }
+    std::optional<RayFound> shapeCast(const scenes::Part& shape, scenes::Vec2 from,
+                                      scenes::Vec2 to) const override {
+        return engine_.shapeCast(shape, from, to);
     }
     std::vector<std::size_t> overlap(scenes::Vec2 low, scenes::Vec2 high) const override {
         return engine_.overlap(low, high);
@@ -216,31 +268,67 @@ std::optional<double> partingTime(const CrossScene& scene, const Played& one, co
     return std::nullopt;
 }
 
-double toleranceOf(const Figure& figure, Solver solver) {
-    return solver == Solver::Propagation && figure.propagation ? figure.propagation->tolerance
-                                                               : figure.tolerance;
+Own statedFor(const Figure& figure, Profile profile) {
+    const Own all{figure.tolerance, figure.reason};
+    switch (profile) {
+    case Profile::Balanced:
+        break;
+    case Profile::Accurate:
+        return figure.accurate.value_or(all);
+    case Profile::Thesis:
+        return figure.withShock.value_or(figure.thesis.value_or(all));
+    case Profile::ThesisWithoutShock:
+        return figure.withoutShock.value_or(figure.thesis.value_or(all));
+    }
+    return all;
 }
 
-bool holds(const Figure& figure, Solver solver, double kodo, double box2d) {
-    const double tolerance = toleranceOf(figure, solver);
-    const auto near = [&](double value, double right, double most) {
-        return std::abs(value - right) <= most;
-    };
-    const bool judged = tolerance >= 0;
+double toleranceOf(const Figure& figure, Kodo kodo) {
+    const double stated = statedFor(figure, kodo.profile).tolerance;
+    const bool hasForm = figure.rule == Rule::Exact || figure.rule == Rule::KodoExact;
+    if (stated < 0 || !hasForm || !figure.errors) {
+        return stated;
+    }
+    const double rounding = kodo.isDouble ? 1e-12 : 4e-6; // of a number of the size of 1
+    const double inDouble = (*figure.errors)[indexOf({kodo.profile, true})];
+    const double error = std::max((*figure.errors)[indexOf(kodo)], inDouble); // not float's luck
+    return std::min(stated, std::max(10 * error, rounding * std::max(1.0, std::abs(figure.exact))));
+}
+
+double toleranceOfBox2d(const Figure& figure, bool isV3) {
+    if (figure.rule != Rule::Exact && figure.rule != Rule::KodoExact) {
+        return -1;
+    }
+    const Own all{figure.tolerance, figure.reason};
+    const Own old = figure.box2d.value_or(all);
+    return std::max(0.0, isV3 ? figure.box2d3.value_or(old).tolerance : old.tolerance);
+}
+
+bool holds(const Figure& figure, Kodo kodo, double value, double box2d) {
+    const double tolerance = toleranceOf(figure, kodo);
+    if (tolerance < 0) {
+        return true;
+    }
     switch (figure.rule) {
     case Rule::Exact:
-        return (!judged || near(kodo, figure.exact, tolerance)) &&
-               near(box2d, figure.exact, figure.box2d ? figure.box2d->tolerance : figure.tolerance);
     case Rule::KodoExact:
-        return !judged || near(kodo, figure.exact, tolerance);
+        return std::abs(value - figure.exact) <= tolerance;
     case Rule::Agree:
-        return !judged || near(kodo, box2d, tolerance);
+        return std::abs(value - box2d) <= tolerance;
     case Rule::AtMost:
-        return !judged || kodo <= figure.exact + tolerance;
+        return value <= figure.exact + tolerance;
     case Rule::Show:
         break;
     }
     return true;
+}
+
+bool box2dHolds(const Figure& figure, bool isV3, double value) {
+    if (figure.rule == Rule::AtMost) {
+        return value <= figure.exact + figure.tolerance;
+    }
+    const double tolerance = toleranceOfBox2d(figure, isV3);
+    return tolerance < 0 || std::abs(value - figure.exact) <= tolerance;
 }
 
 void run(Engine& engine, double seconds, double dt) {

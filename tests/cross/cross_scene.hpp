@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -24,11 +25,15 @@ enum class Rule {
     Show,      // nothing
 };
 
-/// A tolerance of Box2D, or of Kodo's solver of the thesis, with its reason. Negative: not judged.
-struct Wider {
+/// A tolerance of one engine, with its reason. Negative: not judged.
+struct Own {
     double tolerance = 0;
     std::string reason;
 };
+
+/// Errors against the closed form as they were measured, by profile, first in float, then in
+/// double.
+using Errors = std::array<double, 8>;
 
 /// One measured number of a scene and how it is judged.
 struct Figure {
@@ -38,8 +43,13 @@ struct Figure {
     double exact = 0;
     double tolerance = 0;
     std::string reason; // of the tolerance
-    std::optional<Wider> propagation{};
-    std::optional<Wider> box2d{};
+    std::optional<Own> accurate{};
+    std::optional<Own> thesis{};       // of both profiles of the thesis
+    std::optional<Own> withShock{};    // of thesis2006() alone
+    std::optional<Own> withoutShock{}; // of the other one alone
+    std::optional<Own> box2d{};        // of 2.4.1, and of 3 if there is no other
+    std::optional<Own> box2d3{};
+    std::optional<Errors> errors{}; // of the table errors.txt
 };
 
 /// The one definition of a scene: the tests judge it, and the page shows it.
@@ -47,7 +57,7 @@ struct CrossScene {
     std::string name; // of the test
     std::string title;
     std::string text;       // what happens, and the closed form
-    std::string difference; // who is right where the engines differ, and why
+    std::string difference; // why engines differ; which one is nearer follows from the figures
     scenes::SceneDef def;
     double bounceThreshold = 1;       // m/s, of Box2D
     std::vector<std::size_t> drawn{}; // bodies whose paths are drawn
@@ -64,10 +74,14 @@ public:
     FigureAdder& kodoExact(double value, double tolerance, const std::string& reason);
     FigureAdder& agree(double tolerance, const std::string& reason);
     FigureAdder& atMost(double value, const std::string& reason);
-    /// For Box2D.
+    FigureAdder& accurate(double tolerance, const std::string& reason);
+    /// For both profiles of the thesis.
+    FigureAdder& thesis(double tolerance, const std::string& reason);
+    /// For thesis2006() with its shock passes, or without them.
+    FigureAdder& withShock(double tolerance, const std::string& reason);
+    FigureAdder& withoutShock(double tolerance, const std::string& reason);
     FigureAdder& box2d(double tolerance, const std::string& reason);
-    /// For Kodo's solver of the thesis.
-    FigureAdder& propagation(double tolerance, const std::string& reason);
+    FigureAdder& box2d3(double tolerance, const std::string& reason);
 
 private:
     FigureAdder& set(Rule rule, double value, double tolerance, const std::string& reason);
@@ -79,6 +93,9 @@ private:
 inline FigureAdder figure(CrossScene& scene, const std::string& what, const std::string& unit) {
     return {scene, what, unit};
 }
+
+inline const char* const kStatic =
+    "shock passes treat lower bodies as static: records and friction lack the load";
 
 /// All scenes, in the order of the page.
 const std::vector<CrossScene>& sceneBook();
@@ -144,10 +161,27 @@ double reachOf(const scenes::BodyDef& body);
 std::optional<double> partingTime(const CrossScene& scene, const Played& one, const Played& other,
                                   double distance);
 
-/// True if Kodo's value, and Box2D's where the rule says so, satisfy the rule.
-bool holds(const Figure& figure, Solver solver, double kodo, double box2d);
-/// The tolerance that applies to a solver; negative: not judged.
-double toleranceOf(const Figure& figure, Solver solver);
+/// A play of Kodo.
+struct Kodo {
+    Profile profile = Profile::Balanced;
+    bool isDouble = false;
+};
+inline std::size_t indexOf(Kodo kodo) {
+    return 2 * static_cast<std::size_t>(kodo.profile) + (kodo.isDouble ? 1 : 0);
+}
+
+/// What a scene states for an engine. Negative: not judged.
+Own statedFor(const Figure& figure, Profile profile);
+/// The tolerance of a play of Kodo: what the scene states, but for a closed form at most ten times
+/// the error that was measured, or rounding. Negative: not judged.
+double toleranceOf(const Figure& figure, Kodo kodo);
+/// That of Box2D 2.4.1, or of 3. Negative: the figure has no closed form.
+double toleranceOfBox2d(const Figure& figure, bool isV3);
+
+/// True if the value satisfies the rule, or is not judged. `box2d` is that of 2.4.1.
+bool holds(const Figure& figure, Kodo kodo, double value, double box2d);
+/// True if Box2D is within its tolerance of the closed form, or there is none.
+bool box2dHolds(const Figure& figure, bool isV3, double value);
 
 // Used by measurements.
 

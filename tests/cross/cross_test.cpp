@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Judges every scene of the book: Kodo's two solvers beside Box2D 2.4.1 and the closed forms.
+// Judges every scene of the book: profiles of Kodo beside Box2D 2.4.1 and the closed forms.
 // `tools/crosscheck` shows the same scenes as a page.
 #include <kodo/real.hpp>
 
@@ -15,6 +15,8 @@
 namespace crosscheck {
 namespace {
 
+constexpr bool kIsDouble = sizeof(kodo::Real) == sizeof(double);
+
 std::string line(const Figure& figure, double kodo, double box2d, double tolerance) {
     char text[200];
     std::snprintf(text, sizeof text, "%-40s %14.7g %14.7g %14.7g %14.4g %s",
@@ -25,27 +27,38 @@ std::string line(const Figure& figure, double kodo, double box2d, double toleran
 
 class CrossScenes : public testing::TestWithParam<std::size_t> {
 protected:
-    void judge(Solver solver) {
+    void judge(Profile profile) {
         const CrossScene& scene = sceneBook()[GetParam()];
-        const Played kodo = play(scene, *KODO_PRECISION::makeKodo(scene.def, solver));
+        const Played kodo = play(scene, *KODO_PRECISION::makeKodo(scene.def, profile));
         const Played box2d = play(scene, *makeBox2d(scene.def, scene.bounceThreshold));
         ASSERT_EQ(kodo.values.size(), scene.figures.size());
         for (std::size_t i = 0; i < scene.figures.size(); ++i) {
             const Figure& figure = scene.figures[i];
-            EXPECT_TRUE(holds(figure, solver, kodo.values[i], box2d.values[i]))
+            const double tolerance = toleranceOf(figure, {profile, kIsDouble});
+            EXPECT_TRUE(holds(figure, {profile, kIsDouble}, kodo.values[i], box2d.values[i]))
                 << "                                         Kodo          Box2D    closed form"
                 << "      tolerance\n"
-                << line(figure, kodo.values[i], box2d.values[i], toleranceOf(figure, solver));
+                << line(figure, kodo.values[i], box2d.values[i], tolerance);
+            EXPECT_TRUE(figure.rule != Rule::Exact || box2dHolds(figure, false, box2d.values[i]))
+                << line(figure, kodo.values[i], box2d.values[i], toleranceOfBox2d(figure, false));
         }
     }
 };
 
-TEST_P(CrossScenes, SoftSolverAgrees) {
-    judge(Solver::Soft);
+TEST_P(CrossScenes, BalancedAgrees) {
+    judge(Profile::Balanced);
 }
 
-TEST_P(CrossScenes, PropagationAgrees) {
-    judge(Solver::Propagation);
+TEST_P(CrossScenes, AccurateAgrees) {
+    judge(Profile::Accurate);
+}
+
+TEST_P(CrossScenes, ThesisAgrees) {
+    judge(Profile::Thesis);
+}
+
+TEST_P(CrossScenes, ThesisWithoutShockAgrees) {
+    judge(Profile::ThesisWithoutShock);
 }
 
 INSTANTIATE_TEST_SUITE_P(Book, CrossScenes, testing::Range(std::size_t{0}, sceneBook().size()),
@@ -59,10 +72,42 @@ TEST(CrossBook, EveryJudgedFigureStatesTheReasonOfItsTolerance) {
         for (const Figure& figure : scene.figures) {
             EXPECT_TRUE(figure.rule == Rule::Show || !figure.reason.empty())
                 << scene.name << ": " << figure.what;
-            EXPECT_TRUE(!figure.propagation || !figure.propagation->reason.empty())
-                << scene.name << ": " << figure.what;
+            for (const auto& own : {figure.accurate, figure.thesis, figure.withShock,
+                                    figure.withoutShock, figure.box2d, figure.box2d3}) {
+                EXPECT_TRUE(!own || !own->reason.empty()) << scene.name << ": " << figure.what;
+            }
         }
     }
+}
+
+TEST(CrossBook, EachFigureWithAClosedFormHasItsMeasuredErrors) {
+    for (const CrossScene& scene : sceneBook()) {
+        std::set<std::string> figures;
+        for (const Figure& figure : scene.figures) {
+            EXPECT_TRUE(figures.insert(figure.what).second) << scene.name << ": " << figure.what;
+            EXPECT_EQ(figure.rule == Rule::Exact || figure.rule == Rule::KodoExact,
+                      figure.errors.has_value())
+                << scene.name << ": " << figure.what << "; tools/crosscheck --errors measures";
+        }
+    }
+}
+
+TEST(CrossBook, KodosToleranceIsTenTimesItsErrorWhereLessThanStated) {
+    Figure figure{"", "m", Rule::Exact, 2, 0.1, "stated"};
+    figure.errors = Errors{1e-3, 1e-5, 0, 0, 1, 1, 1e-9, 1e-9};
+    EXPECT_DOUBLE_EQ(toleranceOf(figure, {Profile::Balanced, false}), 1e-2);
+    EXPECT_DOUBLE_EQ(toleranceOf(figure, {Profile::Balanced, true}), 1e-4);
+    EXPECT_DOUBLE_EQ(toleranceOf(figure, {Profile::Accurate, false}), 8e-6) << "rounding";
+    EXPECT_DOUBLE_EQ(toleranceOf(figure, {Profile::Accurate, true}), 2e-12) << "rounding";
+    EXPECT_DOUBLE_EQ(toleranceOf(figure, {Profile::Thesis, false}), 0.1) << "never wider";
+    figure.thesis = Own{-1, "it falls"};
+    EXPECT_LT(toleranceOf(figure, {Profile::Thesis, false}), 0) << "not judged";
+    EXPECT_FALSE(holds(figure, {Profile::Balanced, true}, 2.001, 2));
+    EXPECT_TRUE(holds(figure, {Profile::Balanced, false}, 2.001, 2));
+    EXPECT_TRUE(box2dHolds(figure, true, 2.09));
+    figure.box2d3 = Own{0.01, "its slop"};
+    EXPECT_FALSE(box2dHolds(figure, true, 2.09));
+    EXPECT_TRUE(box2dHolds(figure, false, 2.09));
 }
 
 /// Two boxes of which the left one is heavy by its size: the centre of mass is not the frame.
@@ -86,7 +131,7 @@ TEST(CrossFilm, FramesTellThePlaceOfThePartsBeforeAndAfterASplit) {
         run(engine, kDt);
         return {};
     };
-    const Played played = play(scene, *KODO_PRECISION::makeKodo(scene.def, Solver::Soft));
+    const Played played = play(scene, *KODO_PRECISION::makeKodo(scene.def, Profile::Balanced));
     ASSERT_EQ(played.frames.size(), 4u);
     EXPECT_NEAR(played.times[3], 3 * kDt, 1e-12);
     EXPECT_NEAR(played.frames[0][0].position.x, 3, 1e-6);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Plays every scene of the book in Kodo (both solvers, float and double) and in Box2D 2.4.1, and
-// prints all as JSON for tools/lib/crosscheck.py; with a file .toml, or --sandbox and the name of a
-// scene of the sandbox, only that one. Exit code: 0 all figures hold, 1 some do not, 2 the scene
-// has a mistake, or Box2D has no equal of it.
+// Plays every scene of the book in Kodo (three profiles, float and double), in Box2D 2.4.1 and, if
+// the build has it, in Box2D 3, and prints all as JSON for tools/lib/crosscheck.py; with a file
+// .toml, or --sandbox and the name of a scene of the sandbox, only that one. --errors prints the
+// table errors.txt instead. Exit code: 0 all figures hold, 1 some do not, 2 the scene has a
+// mistake, or Box2D has no equal of it.
 #include <catalogue/scene.hpp>
 #include <scene_files/scene_file.hpp>
 
@@ -12,6 +13,7 @@
 #include <exception>
 #include <iostream>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -22,17 +24,18 @@ namespace {
 
 using namespace crosscheck;
 
-/// The plays of one scene: Kodo soft and propagation, each float and double, then Box2D.
-struct Plays {
-    std::vector<Played> kodo;
-    Played box2d;
+/// One scene in one engine.
+struct Play {
+    std::string name;
+    std::optional<Kodo> kodo; // else Box2D
+    bool isV3 = false;
+    Played played;
+    std::string lacks; // why the engine does not play the scene; then nothing is played
 };
-const char* const kNames[] = {"soft, float", "soft, double", "propagation, float",
-                              "propagation, double"};
+using Plays = std::vector<Play>; // the first one is the reference; Box2D 2.4.1 follows Kodo
 
-Solver solverOf(std::size_t play) {
-    return play < 2 ? Solver::Soft : Solver::Propagation;
-}
+const char* const kProfiles[] = {"balanced", "accurate", "thesis2006"};
+constexpr std::size_t kBox2d = 6; // the index of 2.4.1
 
 std::string text(const std::string& words) {
     std::string result = "\"";
@@ -95,8 +98,9 @@ std::string bodyOf(const scenes::BodyDef& body) {
            R"(,"parts":)" + list(body.parts, partOf) + "}";
 }
 
-std::string playOf(const std::string& name, const Played& played) {
-    return R"({"name":)" + text(name) + R"(,"tracks":)" +
+std::string playOf(const Play& play) {
+    const Played& played = play.played;
+    return R"({"name":)" + text(play.name) + R"(,"lacks":)" + text(play.lacks) + R"(,"tracks":)" +
            list(played.tracks,
                 [](const auto& one) {
                     return R"({"body":)" + number(static_cast<double>(one.first)) +
@@ -118,7 +122,7 @@ std::string playOf(const std::string& name, const Played& played) {
            "}";
 }
 
-/// The box (m) around the paths of what is drawn, in Kodo's soft solver and in Box2D.
+/// The box (m) around the paths of what is drawn, in the first play and in Box2D 2.4.1.
 struct Extent {
     scenes::Vec2 middle;
     double size = 0; // of the longer side
@@ -127,7 +131,7 @@ struct Extent {
 Extent extentOf(const CrossScene& scene, const Plays& plays) {
     scenes::Vec2 low{1e9, 1e9};
     scenes::Vec2 high{-1e9, -1e9};
-    for (const Played* played : {&plays.kodo.front(), &plays.box2d}) {
+    for (const Played* played : {&plays.front().played, &plays[kBox2d].played}) {
         for (const auto& [body, points] : played->tracks) {
             const double reach = body < scene.def.bodies.size()
                                      ? reachOf(scene.def.bodies[body])
@@ -197,22 +201,20 @@ std::string framesOf(const CrossScene& scene, const Played& played, const Extent
            "}";
 }
 
-/// What the page needs to play the scene.
+/// What the page needs to play the scene, of all that play it.
 std::string filmOf(const CrossScene& scene, const Plays& plays) {
     const Extent extent = extentOf(scene, plays);
-    const Played& reference = plays.kodo.front();
     std::string frames;
     std::string parted;
-    const auto add = [&](const Played& played) {
+    for (const Play& play : plays) {
+        if (!play.lacks.empty()) {
+            continue;
+        }
         const std::optional<double> time =
-            partingTime(scene, reference, played, kParted * extent.size);
+            partingTime(scene, plays.front().played, play.played, kParted * extent.size);
         parted += (parted.empty() ? "" : ",") + (time ? number(*time) : "null");
-        frames += (frames.empty() ? "" : ",") + framesOf(scene, played, extent);
-    };
-    for (const Played& played : plays.kodo) {
-        add(played);
+        frames += (frames.empty() ? "" : ",") + framesOf(scene, play.played, extent);
     }
-    add(plays.box2d);
     return R"({"middle":)" + point(extent.middle) + R"(,"unit":)" +
            number(extent.size / kPlacesPerExtent) + R"(,"angles":)" + number(kAnglesPerTurn) +
            R"(,"times":)" + number(kTimesPerSecond) + R"(,"distance":)" +
@@ -236,40 +238,72 @@ const char* ruleName(Rule rule) {
     return "show";
 }
 
+/// The value, tolerance and verdict of one engine. A figure that is not judged has no tolerance.
+std::string resultOf(const Figure& figure, const Play& play, std::size_t index, double box2d) {
+    const double value = play.played.values[index];
+    const double tolerance = play.kodo                     ? toleranceOf(figure, *play.kodo)
+                             : figure.rule == Rule::AtMost ? figure.tolerance
+                                                           : toleranceOfBox2d(figure, play.isV3);
+    const bool right =
+        play.kodo ? holds(figure, *play.kodo, value, box2d) : box2dHolds(figure, play.isV3, value);
+    const bool judged = tolerance >= 0 && figure.rule != Rule::Show;
+    return R"({"value":)" + number(value) + R"(,"tolerance":)" +
+           (judged ? number(tolerance) : "null") + R"(,"holds":)" + (right ? "true" : "false") +
+           "}";
+}
+
+/// The reasons of tolerances that engines have of their own.
+std::string reasonsOf(const Figure& figure) {
+    std::string result;
+    const auto add = [&](const char* name, const std::optional<Own>& own) {
+        if (own) {
+            result += std::string(result.empty() ? "" : ",") + "[" + text(name) + "," +
+                      number(own->tolerance) + "," + text(own->reason) + "]";
+        }
+    };
+    add("accurate", figure.accurate);
+    add("thesis2006", figure.withShock ? figure.withShock : figure.thesis);
+    add("Box2D", figure.box2d);
+    add("Box2D 3", figure.box2d3);
+    return "[" + result + "]";
+}
+
 std::string figureOf(const Figure& figure, const Plays& plays, std::size_t index, bool& good) {
-    std::string values;
-    std::string verdicts;
-    const double box2d = plays.box2d.values[index];
-    for (std::size_t i = 0; i < plays.kodo.size(); ++i) {
-        const double value = plays.kodo[i].values[index];
-        const bool right = holds(figure, solverOf(i), value, box2d);
-        good = good && right;
-        values += (i > 0 ? "," : "") + number(value);
-        verdicts += std::string(i > 0 ? "," : "") + (right ? "true" : "false");
+    const double box2d = plays[kBox2d].played.values[index];
+    for (const Play& play : plays) {
+        if (play.kodo) {
+            good = good && holds(figure, *play.kodo, play.played.values[index], box2d);
+        }
     }
-    std::string result = R"({"what":)" + text(figure.what) + R"(,"unit":)" + text(figure.unit) +
-                         R"(,"rule":")" + ruleName(figure.rule) + R"(","exact":)" +
-                         number(figure.exact) + R"(,"tolerance":)" + number(figure.tolerance) +
-                         R"(,"reason":)" + text(figure.reason) + R"(,"kodo":[)" + values +
-                         R"(],"holds":[)" + verdicts + R"(],"box2d":)" + number(box2d);
-    if (figure.propagation) {
-        result += R"(,"wider":)" + number(figure.propagation->tolerance) + R"(,"widerReason":)" +
-                  text(figure.propagation->reason);
-    }
-    if (figure.box2d) {
-        result += R"(,"box2dTolerance":)" + number(figure.box2d->tolerance) + R"(,"box2dReason":)" +
-                  text(figure.box2d->reason);
-    }
-    return result + "}";
+    good = good && (figure.rule != Rule::Exact || box2dHolds(figure, false, box2d));
+    const auto result = [&](const Play& play) {
+        return play.lacks.empty() ? resultOf(figure, play, index, box2d) : "null";
+    };
+    return R"({"what":)" + text(figure.what) + R"(,"unit":)" + text(figure.unit) + R"(,"rule":")" +
+           ruleName(figure.rule) + R"(","exact":)" + number(figure.exact) + R"(,"tolerance":)" +
+           number(figure.tolerance) + R"(,"reason":)" + text(figure.reason) + R"(,"results":)" +
+           list(plays, result) + R"(,"reasons":)" + reasonsOf(figure) + "}";
 }
 
 Plays playAll(const CrossScene& scene) {
     Plays plays;
-    for (const Solver solver : {Solver::Soft, Solver::Propagation}) {
-        plays.kodo.push_back(play(scene, *f32::makeKodo(scene.def, solver)));
-        plays.kodo.push_back(play(scene, *f64::makeKodo(scene.def, solver)));
+    for (const Profile profile : {Profile::Balanced, Profile::Accurate, Profile::Thesis}) {
+        const std::string name = kProfiles[static_cast<std::size_t>(profile)];
+        plays.push_back({name + ", float", Kodo{profile, false}, false,
+                         play(scene, *f32::makeKodo(scene.def, profile)), ""});
+        plays.push_back({name + ", double", Kodo{profile, true}, false,
+                         play(scene, *f64::makeKodo(scene.def, profile)), ""});
     }
-    plays.box2d = play(scene, *makeBox2d(scene.def, scene.bounceThreshold));
+    plays.push_back({"Box2D 2.4.1", std::nullopt, false,
+                     play(scene, *makeBox2d(scene.def, scene.bounceThreshold)), ""});
+    if (hasBox2d3()) {
+        plays.push_back({"Box2D 3", std::nullopt, true, {}, ""});
+        try {
+            plays.back().played = play(scene, *makeBox2d3(scene.def, scene.bounceThreshold));
+        } catch (const std::invalid_argument& problem) {
+            plays.back().lacks = problem.what();
+        }
+    }
     return plays;
 }
 
@@ -279,17 +313,47 @@ std::string sceneOf(const CrossScene& scene, bool& good) {
     for (std::size_t i = 0; i < scene.figures.size(); ++i) {
         figures += (i > 0 ? "," : "") + figureOf(scene.figures[i], plays, i, good);
     }
-    std::string played;
-    for (std::size_t i = 0; i < plays.kodo.size(); ++i) {
-        played += playOf(kNames[i], plays.kodo[i]) + ",";
-    }
     return R"({"name":)" + text(scene.name) + R"(,"title":)" + text(scene.title) + R"(,"text":)" +
            text(scene.text) + R"(,"difference":)" + text(scene.difference) + R"(,"chains":)" +
            list(scene.def.chains,
                 [](const scenes::ChainDef& chain) { return list(chain.points, point); }) +
            R"(,"bodies":)" + list(scene.def.bodies, bodyOf) + R"(,"figures":[)" + figures +
-           R"(],"plays":[)" + played + playOf("Box2D 2.4.1", plays.box2d) + R"(],"film":)" +
-           filmOf(scene, plays) + "}";
+           R"(],"plays":)" + list(plays, playOf) + R"(,"film":)" + filmOf(scene, plays) + "}";
+}
+
+/// With two digits, rounded up.
+std::string error(double value) {
+    if (value == 0) {
+        return "0";
+    }
+    char digits[32];
+    const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
+    std::snprintf(digits, sizeof digits, "%.2g", unit * std::ceil(value / unit * (1 - 1e-9)));
+    return digits;
+}
+
+/// The errors of all figures that have a closed form, as lines of the table.
+int printErrors() {
+    for (const CrossScene& scene : sceneBook()) {
+        std::vector<Played> plays;
+        for (const Profile profile :
+             {Profile::Balanced, Profile::Accurate, Profile::Thesis, Profile::ThesisWithoutShock}) {
+            plays.push_back(play(scene, *f32::makeKodo(scene.def, profile)));
+            plays.push_back(play(scene, *f64::makeKodo(scene.def, profile)));
+        }
+        for (std::size_t i = 0; i < scene.figures.size(); ++i) {
+            const Figure& figure = scene.figures[i];
+            if (figure.rule != Rule::Exact && figure.rule != Rule::KodoExact) {
+                continue;
+            }
+            std::cout << scene.name << " | " << figure.what << " |";
+            for (const Played& played : plays) {
+                std::cout << " " << error(std::abs(played.values[i] - figure.exact));
+            }
+            std::cout << "\n";
+        }
+    }
+    return 0;
 }
 
 int print(const std::vector<CrossScene>& scenes) {
@@ -349,6 +413,9 @@ int printFile(const std::string& file) {
 } // namespace
 
 int main(int count, char** arguments) {
+    if (count == 2 && std::string(arguments[1]) == "--errors") {
+        return printErrors();
+    }
     if (count == 3 && std::string(arguments[1]) == "--sandbox") {
         return printSandbox(arguments[2]);
     }

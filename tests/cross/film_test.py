@@ -12,8 +12,16 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools" / "
 
 import crosscheck  # noqa: E402
 import crosscheck_player as player  # noqa: E402
+import crosscheck_verdicts as verdicts  # noqa: E402
 
 STYLES = [("reference", "#000000"), ("near", "#111111"), ("far & wide", "#222222")]
+
+
+PLAYS = [{"name": name} for name, *_ in crosscheck.STYLES]
+
+
+def result(value, tolerance=0.5, holds=True):
+    return {"value": value, "tolerance": tolerance, "holds": holds}
 
 
 def unpack(text):
@@ -59,14 +67,41 @@ class Film(unittest.TestCase):
         self.assertEqual(player.marks(film, STYLES), "")
         self.assertIn("No point is ever more than 20 mm", player.parts(film, STYLES))
 
-    def test_the_nearer_engine_follows_from_the_figures(self):
-        def figure(kodo, box2d, rule="exact"):
-            return {"rule": rule, "kodo": [kodo, 9, 9, 9], "box2d": box2d, "exact": 1}
+    def test_the_nearest_engine_follows_from_the_figures(self):
+        def figure(values, rule="exact"):
+            return {"rule": rule, "exact": 1, "results": [result(value) for value in values]}
 
-        self.assertEqual(crosscheck.nearer({"figures": [figure(1, 1 + 1e-7), figure(2, 1, "show")]}), "")
-        said = crosscheck.nearer({"figures": [figure(1.01, 1.1), figure(1.1, 1), figure(1, 1.2, "kodo"),
-                                              figure(1.1, 1.15)]})
-        self.assertIn("Kodo in 2, Box2D in 1 figures", said)
+        near = [1.5] * 6
+        scene = {"plays": PLAYS, "figures": [figure([1, *near, 1 + 1e-7]), figure([9, *near, 1], "show")]}
+        self.assertEqual(verdicts.nearer(scene), "")
+        scene["figures"] = [figure([1.01, *near, 1.1]), figure([1.1, *near, 1]), figure([1, *near, 1.2], "kodo"),
+                            figure([1.1, *near, 1.15])]
+        self.assertIn("balanced in 2, Box2D 3 in 1.", verdicts.nearer(scene))
+
+    def test_verdicts_follow_from_the_figures(self):
+        results = [result(1) for _ in PLAYS]
+        scene = {"plays": PLAYS, "figures": [{"rule": "kodo", "exact": 1, "results": results}]}
+        self.assertEqual(verdicts.verdict(scene), ("good", "all agree"))
+        results[7] = result(2, holds=False)
+        self.assertEqual(verdicts.verdict(scene), ("differ", "Kodo holds; Box2D 3 differs in 1"))
+        results[6] = result(2, holds=False)
+        self.assertIn("Box2D 2.4.1 differs in 1, Box2D 3", verdicts.verdict(scene)[1])
+        scene["figures"][0]["rule"] = "exact"
+        self.assertEqual(verdicts.verdict(scene)[0], "wrong")
+        scene["figures"][0]["rule"] = "kodo"
+        results[5] = {"value": 7, "tolerance": None, "holds": True}
+        results[6:] = [result(1), None]
+        self.assertIn("not judged in all figures", verdicts.verdict(scene)[1])
+        results[5] = result(7, holds=False)
+        self.assertEqual(verdicts.verdict(scene), ("wrong", "does not hold"))
+
+    def test_no_colour_is_there_twice(self):
+        colours = [colour for _, colour, *_ in crosscheck.STYLES]
+        self.assertEqual(len(set(colours)), 8)
+        for i, one in enumerate(colours):  # and none is hard to tell from another
+            for other in colours[:i]:
+                apart = sum(abs(int(one[k : k + 2], 16) - int(other[k : k + 2], 16)) for k in (1, 3, 5))
+                self.assertGreater(apart, 90, (one, other))
 
     def test_the_script_asks_no_other_host(self):
         for word in ("http:", "https:", "fetch(", "import(", "XMLHttpRequest", "//cdn"):

@@ -10,13 +10,25 @@
 namespace crosscheck::KODO_PRECISION {
 namespace {
 
-/// Without shock passes, which treat lower levels of a pile as static: the records would lack the
-/// load that they carry.
-kodo::StepSettings settingsOf(Solver solver, bool sleep) {
-    kodo::StepSettings result = solver == Solver::Soft ? kodo::balanced() : kodo::thesis2006();
-    if (solver == Solver::Propagation) {
+kodo::StepSettings settingsOf(Profile profile) {
+    switch (profile) {
+    case Profile::Balanced:
+        return kodo::balanced();
+    case Profile::Accurate:
+        return kodo::accurate();
+    case Profile::Thesis:
+    case Profile::ThesisWithoutShock:
+        break;
+    }
+    kodo::StepSettings result = kodo::thesis2006();
+    if (profile == Profile::ThesisWithoutShock) {
         result.propagation().shockPasses = 0;
     }
+    return result;
+}
+
+kodo::StepSettings settingsOf(Profile profile, bool sleep) {
+    kodo::StepSettings result = settingsOf(profile);
     if (!sleep) {
         result.leaveOut = kodo::Feature::Sleep;
     }
@@ -32,8 +44,8 @@ kodo::Real real(double value) {
 
 class KodoEngine final : public Engine {
 public:
-    KodoEngine(const scenes::SceneDef& scene, Solver solver)
-        : scene_(scenes::inKodo(scene, settingsOf(solver, scene.sleep))) {}
+    KodoEngine(const scenes::SceneDef& scene, Profile profile)
+        : scene_(scenes::inKodo(scene, settingsOf(profile, scene.sleep))) {}
 
     void step(double dt) override { scene_.world.step(real(dt)); }
 
@@ -100,6 +112,15 @@ public:
 
     std::optional<RayFound> rayCast(scenes::Vec2 from, scenes::Vec2 to) const override {
         const auto hit = kodo::rayCast(scene_.world, scenes::toKodo(from), scenes::toKodo(to));
+        return hit ? std::optional(RayFound{indexOf(hit->body), number(hit->fraction)})
+                   : std::nullopt;
+    }
+
+    std::optional<RayFound> shapeCast(const scenes::Part& shape, scenes::Vec2 from,
+                                      scenes::Vec2 to) const override {
+        const auto hit =
+            kodo::shapeCast(scene_.world, scenes::toKodo(std::vector<scenes::Part>{shape}),
+                            {scenes::toKodo(from), {}}, scenes::toKodo(to - from));
         return hit ? std::optional(RayFound{indexOf(hit->body), number(hit->fraction)})
                    : std::nullopt;
     }
@@ -185,8 +206,8 @@ private:
 
 } // namespace
 
-std::unique_ptr<Engine> makeKodo(const scenes::SceneDef& scene, Solver solver) {
-    return std::make_unique<KodoEngine>(scene, solver);
+std::unique_ptr<Engine> makeKodo(const scenes::SceneDef& scene, Profile profile) {
+    return std::make_unique<KodoEngine>(scene, profile);
 }
 
 } // namespace crosscheck::KODO_PRECISION

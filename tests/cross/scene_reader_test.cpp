@@ -88,7 +88,7 @@ TEST(OwnScene, WhatTheFileSaysIsPlayed) {
     EXPECT_EQ(box.density, 7);
     EXPECT_EQ(scene.drawn, (std::vector<std::size_t>{1, 2}));
 
-    const Played played = play(scene, *KODO_PRECISION::makeKodo(scene.def, Solver::Soft));
+    const Played played = play(scene, *KODO_PRECISION::makeKodo(scene.def, Profile::Balanced));
     ASSERT_EQ(played.frames.size(), 121u);
     EXPECT_NEAR(played.times.back(), 0.5, 1e-9);
     ASSERT_EQ(played.values.size(), scene.figures.size());
@@ -102,17 +102,18 @@ TEST(OwnScene, WhatTheFileSaysIsPlayed) {
     EXPECT_EQ(scene.figures[1].what, "highest of box at 0.25 s");
 }
 
-TEST(OwnScene, TheExampleHoldsInBothSolvers) {
+TEST(OwnScene, TheExampleHoldsInEachProfile) {
     const auto text = apart::readTextFile(CROSS_EXAMPLE, 10'000);
     const auto result = read(std::get<std::string>(text));
     ASSERT_TRUE(std::holds_alternative<CrossScene>(result))
         << std::get<apart::FileProblem>(result).text();
     const CrossScene& scene = std::get<CrossScene>(result);
     const Played box2d = play(scene, *makeBox2d(scene.def));
-    for (const Solver solver : {Solver::Soft, Solver::Propagation}) {
-        const Played kodo = play(scene, *KODO_PRECISION::makeKodo(scene.def, solver));
+    for (const Profile profile : {Profile::Balanced, Profile::Accurate, Profile::Thesis}) {
+        const Played kodo = play(scene, *KODO_PRECISION::makeKodo(scene.def, profile));
         for (std::size_t i = 0; i < scene.figures.size(); ++i) {
-            EXPECT_TRUE(holds(scene.figures[i], solver, kodo.values[i], box2d.values[i]))
+            EXPECT_TRUE(holds(scene.figures[i], {profile, sizeof(kodo::Real) == sizeof(double)},
+                              kodo.values[i], box2d.values[i]))
                 << scene.figures[i].what << ": " << kodo.values[i] << ", " << box2d.values[i];
         }
     }

@@ -20,7 +20,7 @@ CrossScene masks() {
                      "Two balls fall on a shelf that stops one",
                      "Ball 2 accepts ground and shelf, ball 3 the ground alone: it falls through "
                      "the shelf. They do not collide with each other either.",
-                     "Both are right.",
+                     "",
                      {"masks", scenes::kDown, {scenes::ground(20)}}};
     scenes::BodyDef shelf = scenes::box(4, 0.4, {0, 1.8});
     shelf.locked = true;
@@ -57,7 +57,7 @@ CrossScene sensor() {
                      "A ball flies through a sensor",
                      "A ball of 0.4 m at 3 m/s passes a sensor of 1 m: it touches for 1.8 / 3 = "
                      "0.6 s from 0.367 s on, and keeps its velocity.",
-                     "Both are right.",
+                     "",
                      {"sensor", {}, {}}};
     scene.def.bodies = {scenes::box(1, 2, {0, 0}), scenes::ball(0.4, {-2, 0})};
     scene.def.bodies[0].locked = true;
@@ -89,7 +89,7 @@ CrossScene upright() {
     CrossScene scene{"LockedRotationLandsOnItsCorner", "A box that cannot turn lands on its corner",
                      "It neither tips nor turns: it rests on its corner. The impulse of the "
                      "landing is m v = 4.472 N s.",
-                     "Both are right.", scenes::boxOnItsCorner()};
+                     "", scenes::boxOnItsCorner()};
     scene.def.bodies[1].upright = true;
     scene.drawn = {1};
     scene.measure = [](Engine& engine) -> std::vector<double> {
@@ -116,7 +116,7 @@ CrossScene weightless() {
                      "A ball falls on a body without weight",
                      "Body 0 has no weight and stays at its place. An equal ball falls 1 m on it "
                      "with e = 1 and hands its velocity over.",
-                     "Kodo is nearer: one step of gravity more acts in Box2D before the bounce.",
+                     "One step of gravity more acts in Box2D before the bounce.",
                      {"weightless", scenes::kDown, {}}};
     scene.def.bodies = {scenes::ball(0.5, {0, 0}, {0, 1}), scenes::ball(0.5, {0, 2}, {0, 1})};
     scene.def.bodies[0].weightless = true;
@@ -162,7 +162,7 @@ CrossScene table() {
                      "A table on two feet of unlike distance",
                      "Records name the part. The feet stand 0.5 m left and 1.5 m right of the "
                      "centre of the top; by levers the forces share the weight.",
-                     "Both are right.",
+                     "",
                      {"table", scenes::kDown, {scenes::ground(20)}}};
     scenes::BodyDef table;
     table.parts = {scenes::Circle{0.2, {-0.5, 0.2}}, scenes::Circle{0.2, {1.5, 0.2}},

@@ -23,7 +23,7 @@ CrossScene flight() {
         "A turning block breaks in flight",
         "Each piece moves on with the velocity that the rigid block had at its centre: "
         "v + w x r. Momentum and angular momentum are kept.",
-        "Both are right.",
+        "",
         {"fracture in flight", {}, {block()}}};
     scene.def.bodies[0].velocity = {1, 0.5};
     scene.def.bodies[0].spin = 3;
@@ -66,7 +66,7 @@ CrossScene hit() {
         "A ball hits a block, which breaks",
         "No friction, e = 0. The impulse acts on the whole block at the lever arm: J = "
         "v / (1/m + 1/M + L^2/I). Then it breaks, and all momentum is kept.",
-        "Both are right.",
+        "",
         {"fracture by a hit", {}, {block()}}};
     scene.def.bodies[0].material = {0, 0};
     const Mass whole = massOf(scene.def.bodies[0]);
@@ -102,7 +102,7 @@ CrossScene onGround() {
                      "A block over an edge breaks, and one half falls",
                      "A block lies on a ledge with its small part in the air. After the break the "
                      "small part falls freely and the large one stays: 1 m in 0.447 s.",
-                     "Both are right.",
+                     "",
                      {"fracture over an edge", scenes::kDown, {}}};
     scenes::BodyDef ledge = scenes::box(3, 1, {-1.5, -0.5}, {0, 0});
     ledge.locked = true;

@@ -38,7 +38,7 @@ CrossScene headOnBalls(double e, const std::string& name) {
     CrossScene scene{name, "Two balls meet head-on, e = " + std::string(e < 1 ? "0.5" : "1"),
                      "One ball is three times as dense. Momentum is kept and the relative speed is "
                      "scaled by e: J = (1 + e) (v1 - v2) m1 m2 / (m1 + m2).",
-                     "Both are right.", scenes::headOnBalls(2, 3, e)};
+                     "", scenes::headOnBalls(2, 3, e)};
     scene.drawn = {0, 1};
     scene.measure = headOn;
     const double mass = massOf(scene.def.bodies[0]).mass;
@@ -55,9 +55,9 @@ CrossScene slowHeadOn(double threshold, const std::string& name) {
                      "Two balls meet slowly, e = 1, Box2D's threshold " +
                          std::string(threshold > 0 ? "1 m/s" : "0"),
                      "Equal balls at 0.4 m/s exchange their velocities.",
-                     threshold > 0 ? "Kodo is right: Box2D takes impacts below its velocity "
+                     threshold > 0 ? "Box2D takes impacts below its velocity "
                                      "threshold as inelastic. Kodo has none."
-                                   : "Both are right: with the threshold at 0 nothing differs.",
+                                   : "With the threshold at 0 nothing differs.",
                      scenes::headOnBalls(0.4, 1, 1)};
     scene.bounceThreshold = threshold;
     scene.drawn = {0, 1};
@@ -80,7 +80,7 @@ CrossScene offCentre(double e, const std::string& name) {
         name, "A ball hits a bar off its centre, e = " + std::string(e < 1 ? "0.5" : "1"),
         "No friction. J = (1 + e) v / (1/m + 1/M + L^2/I), with the lever arm L = 0.7 m. "
         "The ball flies along the normal, so L stays until the impact.",
-        "Both are right.", scenes::ballOnBoxOffCentre(0.7, e)};
+        "", scenes::ballOnBoxOffCentre(0.7, e)};
     scene.drawn = {0, 1};
     scene.measure = [](Engine& engine) -> std::vector<double> {
         const Hit hit = runToHit(engine, 0, 1, 2);
@@ -102,7 +102,7 @@ CrossScene spinningBar() {
     CrossScene scene{"SpinningBarThrowsABall", "A spinning bar throws a ball, e = 1",
                      "Touch at the angle a = 2 t where h cos(a) - d sin(a) = 0.35, half the bar's "
                      "width plus the radius. The lever arm is L = d cos(a) + h sin(a).",
-                     "Kodo is right: in Box2D the bar turns for up to one more step, 0.033 rad, "
+                     "In Box2D the bar turns for up to one more step, 0.033 rad, "
                      "which changes lever arm and normal.",
                      scenes::spinningBarHitsBall()};
     scene.drawn = {0, 1};
@@ -156,7 +156,7 @@ CrossScene bouncingBall(double e, const std::string& name) {
     CrossScene scene{name,
                      "A ball bounces three times, e = " + std::string(e < 0.7 ? "0.5" : "0.8"),
                      "Peak n has the height 5 m e^(2 n).",
-                     "Kodo is nearer: Box2D loses or gains up to one step of gravity at each "
+                     "Box2D loses or gains up to one step of gravity at each "
                      "bounce.",
                      scenes::bouncingBall(e)};
     scene.drawn = {1};
@@ -168,8 +168,8 @@ CrossScene bouncingBall(double e, const std::string& name) {
         figure(scene, "peak " + std::to_string(n), "m")
             .exact(height, 0.04 * n * height + 0.01,
                    "one step of gravity a bounce: 0.17 m/s of 8, or 4 % of the height")
-            .propagation(0.15 * n * height + 0.01,
-                         "gravity of a whole step at each bounce: 0.17 of 2.5 to 1.2 m/s, twice");
+            .thesis(0.15 * n * height + 0.01,
+                    "gravity of a whole step at each bounce: 0.17 of 2.5 to 1.2 m/s, twice");
     }
     return scene;
 }
@@ -179,8 +179,7 @@ CrossScene unlikeRestitutions() {
         "UnlikeRestitutionsTakeTheSmaller", "A ball of e = 0.9 falls on ground of e = 0.4",
         "The smaller restitution counts: it leaves at 0.4 of its speed, and peak n has "
         "the height 5 m 0.4^(2 n).",
-        "Both are right, with Kodo's rule in both. Box2D's own rule takes the larger.",
-        scenes::bouncingBall(0.4)};
+        "All have Kodo's rule here. Box2D's own rule takes the larger.", scenes::bouncingBall(0.4)};
     scene.def.bodies[1].material.restitution = 0.9;
     scene.drawn = {1};
     scene.measure = [](Engine& engine) -> std::vector<double> {
@@ -191,7 +190,7 @@ CrossScene unlikeRestitutions() {
     figure(scene, "first hit", "s").exact(1, 2 * kDt + 1e-6, kTwoSteps);
     figure(scene, "peak 1", "m")
         .exact(0.8, 0.05, "one step of gravity a bounce: 0.17 m/s of 8, or 4 % of the height")
-        .propagation(0.15, "gravity of a whole step at the bounce: 0.17 of 4 m/s, twice");
+        .thesis(0.15, "gravity of a whole step at the bounce: 0.17 of 4 m/s, twice");
     return scene;
 }
 
@@ -201,7 +200,7 @@ CrossScene cradle() {
                      "A ball hits a row of four with gaps, e = 1",
                      "Equal balls exchange their velocities: the last flies on at 2 m/s, and the "
                      "others stand.",
-                     "Both are right.",
+                     "",
                      {"cradle", {}, {}}};
     for (int i = 0; i < 5; ++i) {
         const double x = i == 0 ? -1 : 0.45 * i;
@@ -231,7 +230,7 @@ CrossScene bullet() {
     CrossScene scene{"FastBallDoesNotPassAThinWall",
                      "A ball at 200 m/s hits a wall of 4 cm",
                      "It moves 3.3 m a step. With e = 0.5 it returns at 100 m/s.",
-                     "Kodo is right. Box2D stops it too, but moves no body by more than 2 m a "
+                     "Box2D 2.4.1 stops it, but moves no body by more than 2 m a "
                      "step: at 60 Hz that is 120 m/s, so the ball returns at 60 m/s.",
                      {"bullet", {}, {}}};
     scene.def.bodies = {scenes::ball(0.1, {-5.5, 0}, {0, 0.5}),

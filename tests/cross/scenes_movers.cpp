@@ -18,7 +18,7 @@ CrossScene paddle(double e, double speed, const std::string& name) {
                          " m/s hits a ball, e = " + std::string(e < 1 ? "0.5" : "1"),
                      "A kinematic body has infinite mass: the ball leaves at u (1 + e), and the "
                      "wall keeps its speed.",
-                     "Both are right.",
+                     "",
                      {"paddle", {}, {}}};
     scene.def.bodies = {scenes::box(0.4, 2, {-1, 0}, {0, e}), scenes::ball(0.2, {0, 0.1}, {0, e})};
     scene.def.bodies[0].locked = true;
@@ -55,7 +55,7 @@ CrossScene carried() {
     CrossScene scene{"MovingPlateCarriesABoxByFriction",
                      "A plate at 2 m/s moves under a box",
                      "mu = 0.5: the box reaches 2 m/s after 0.4 s and lags 0.4 m behind.",
-                     "Kodo is nearer: Euler in Box2D errs by v dt / 2.",
+                     "Euler in Box2D errs by v dt / 2.",
                      {"carried", scenes::kDown, {}}};
     scene.def.bodies = {scenes::box(20, 1, {0, -0.5}, {0.5, 0}),
                         scenes::box(1, 0.5, {0, 0.25}, {0.5, 0})};
@@ -80,7 +80,7 @@ CrossScene lift() {
     CrossScene scene{"LiftCarriesItsLoadAtItsSpeed",
                      "A lift raises a box at 1 m/s",
                      "The box rises with it, and its force is the weight of 10 N.",
-                     "Both are right.",
+                     "",
                      {"lift", scenes::kDown, {}}};
     scene.def.bodies = {scenes::box(3, 0.4, {0, -0.2}), scenes::box(1, 1, {0, 0.5})};
     scene.def.bodies[0].locked = true;
@@ -104,7 +104,7 @@ CrossScene rotor() {
                      "A driven bar throws a ball, e = 1",
                      "The bar turns at 2 rad/s whatever it hits. The ball leaves at 2 omega L, "
                      "along the normal of the bar at the touch.",
-                     "Kodo is right: in Box2D the bar turns for up to one more step.",
+                     "In Box2D the bar turns for up to one more step.",
                      {"rotor", {}, {}}};
     scene.def.bodies = {scenes::box(4, 0.2, {0, 0}, {0, 1}), scenes::ball(0.25, {1.5, 1}, {0, 1})};
     scene.def.bodies[0].locked = true;
@@ -134,7 +134,7 @@ CrossScene pusher() {
                      "A pusher at 1 m/s moves a box along",
                      "With e = 0 the box takes the speed of the pusher and stays at it, against "
                      "friction of 0.3. The force of the pusher is mu m g = 3 N.",
-                     "Both are right.",
+                     "",
                      {"pusher", scenes::kDown, {scenes::ground(40, {0.3, 0})}}};
     scene.def.bodies.push_back(scenes::box(0.4, 0.6, {-1.5, 0.5}, {0, 0}));
     scene.def.bodies.push_back(scenes::box(1, 1, {0, 0.5}, {0.3, 0}));

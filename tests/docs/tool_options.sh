@@ -53,6 +53,8 @@ for also in '--profiles fast' '--engines kodo64'; do
     # shellcheck disable=SC2086 # two words
     refuse 'give no --engines or --profiles' tools/bench --box2d3 box2d3 $also
 done
+refuse '^tools/crosscheck: .*no installed Box2D 3 in' tools/crosscheck --box2d3 nowhere
+refuse '^tools/crosscheck: --errors measures all scenes' tools/crosscheck --errors --list
 # Options that would have no effect.
 for wrong in '--check --survivors' '--check --only 1' '--report page.md --jobs 2'; do
     # shellcheck disable=SC2086

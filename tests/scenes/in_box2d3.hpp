@@ -71,6 +71,9 @@ inline box2d3::b2ShapeDef shapeDefOf(const BodyDef& source, bool events) {
     def.density = static_cast<float>(source.density);
     def.material.friction = static_cast<float>(source.material.friction);
     def.material.restitution = static_cast<float>(source.material.restitution);
+    def.material.tangentSpeed = static_cast<float>(source.material.surfaceSpeed);
+    def.isSensor = source.sensor;
+    def.enableSensorEvents = events;
     if (source.category != 0) {
         def.filter.categoryBits = source.category;
     }
@@ -89,23 +92,32 @@ inline void addShape(box2d3::b2BodyId body, const box2d3::b2ShapeDef& def, const
         box2d3::b2CreateCircleShape(body, &def, &shape);
         return;
     }
+    if (const auto* capsule = std::get_if<Capsule>(&part)) {
+        const box2d3::b2Capsule shape{toBox2d(capsule->from), toBox2d(capsule->to),
+                                      static_cast<float>(capsule->radius)};
+        box2d3::b2CreateCapsuleShape(body, &def, &shape);
+        return;
+    }
     const auto* box = std::get_if<Box>(&part);
     const box2d3::b2Polygon shape =
         shapeOf(box != nullptr ? cornersOf(*box) : std::get<Polygon>(part).corners);
     box2d3::b2CreatePolygonShape(body, &def, &shape);
 }
 
-/// `events`: begins, ends and hits of the body are listed.
+/// `events`: begins, ends and hits of the body are listed, and sensors see it. The user data of a
+/// shape is the index of its part.
 inline box2d3::b2BodyId addToBox2d(box2d3::b2WorldId world, const BodyDef& source, bool events) {
     box2d3::b2BodyDef def = box2d3::b2DefaultBodyDef();
     def.type = typeOf(source);
     def.position = toBox2d(source.position);
     def.rotation = toBox2d(source.rotation);
     def.gravityScale = source.weightless ? 0.0f : 1.0f;
+    def.motionLocks.angularZ = source.upright;
     const box2d3::b2BodyId body = box2d3::b2CreateBody(world, &def);
-    const box2d3::b2ShapeDef shape = shapeDefOf(source, events);
-    for (const Part& part : source.parts) {
-        addShape(body, shape, part);
+    box2d3::b2ShapeDef shape = shapeDefOf(source, events);
+    for (std::size_t i = 0; i < source.parts.size(); ++i) {
+        shape.userData = reinterpret_cast<void*>(i);
+        addShape(body, shape, source.parts[i]);
     }
     if (!source.locked) {
         const Mass mass = massOf(source);

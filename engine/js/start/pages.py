@@ -189,7 +189,7 @@ def witness(folder):
     shutil.copy(ROOT / "engine/docs/crosscheck.svg", folder)
     title = "Kodo beside Box2D 2.4.1"
     body = (f'<nav><a href="../">Kodo</a> · <a href="./">all pages</a></nav>\n<h1>{title}</h1>\n'
-            "<p>Scenes with a closed form or a stated expectation, played by both solvers of Kodo in "
+            "<p>Scenes with a closed form or a stated expectation, played by three profiles of Kodo in "
             "float and double, and by Box2D. The tests judge each figure. Four of them:</p>\n"
             f'<img src="crosscheck.svg" alt="{title} in four scenes">\n'
             "<p><code>tools/crosscheck</code> makes the page of all scenes, in which each can be played; "
