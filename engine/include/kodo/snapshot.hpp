@@ -16,6 +16,9 @@ inline namespace KODO_PRECISION {
 ///
 /// The bytes are the same on every machine. They depend on the precision: kodo64 refuses those of
 /// kodo, and the other way round. Within one program, a copy of a World is the cheaper snapshot.
+/// A copy has the same bytes at any time, if both get the same calls. A World of fromBytes() has
+/// them after each step; between a change and the next step its bytes may list other parts whose
+/// neighbours that step searches.
 KODO_API std::vector<std::byte> toBytes(const World& world);
 
 /// Throws BadSnapshot, with a reason, for bytes that are truncated, changed, of another format or

@@ -313,7 +313,9 @@ void ContactStore::describe(const Bodies& bodies, const PartBounds& bounds) {
 
 void ContactStore::describe(std::uint32_t body, const Bodies& bodies, const PartBounds& bounds) {
     lists().forEach(body, [&](std::uint32_t slot) {
-        describeContact(contacts_[slot], bodies);
+        Contact& contact = contacts_[slot];
+        contact.centerA = summaries_[slot].kept ? bodies.start[contact.key.bodyA] : contact.centerA;
+        describeContact(contact, bodies);
         renewSummary(slot, bounds);
     });
 }
