@@ -4,10 +4,13 @@
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <unistd.h>
 
 namespace apart {
 namespace {
@@ -65,6 +68,97 @@ TEST_F(TextFile, ALinkStaysAndItsTargetIsWritten) {
     ASSERT_TRUE(problem);
     EXPECT_EQ(problem->reason, "is a link that leads in a circle");
     EXPECT_TRUE(fs::is_symlink(folder_ / "circle"));
+}
+
+// I4: as an editor saves a file.
+TEST_F(TextFile, SavingKeepsTheModeOfAFile) {
+    const fs::path file = folder_ / "file";
+    for (const mode_t mode : {0600, 0640, 0664, 0755}) {
+        ASSERT_FALSE(writeTextFile(file, "one"));
+        ASSERT_EQ(chmod(file.c_str(), mode), 0);
+        ASSERT_FALSE(writeTextFile(file, "two"));
+        struct stat about {};
+        ASSERT_EQ(stat(file.c_str(), &about), 0);
+        EXPECT_EQ(about.st_mode & 07777, mode);
+        EXPECT_EQ(std::get<std::string>(readTextFile(file, 100)), "two");
+    }
+}
+
+TEST_F(TextFile, AProtectedFileStays) {
+    const fs::path file = folder_ / "file";
+    ASSERT_FALSE(writeTextFile(file, "one"));
+    ASSERT_EQ(chmod(file.c_str(), 0444), 0);
+    const auto problem = writeTextFile(file, "two");
+    ASSERT_TRUE(problem);
+    EXPECT_EQ(problem->reason, "cannot be written: Permission denied");
+    EXPECT_EQ(std::get<std::string>(readTextFile(file, 100)), "one");
+}
+
+TEST_F(TextFile, AllNamesOfAFileKeepOneContent) {
+    const fs::path file = folder_ / "file";
+    ASSERT_FALSE(writeTextFile(file, "one, and longer"));
+    fs::create_hard_link(file, folder_ / "other");
+    ASSERT_FALSE(writeTextFile(file, "two"));
+    EXPECT_EQ(fs::hard_link_count(file), 2u);
+    EXPECT_EQ(std::get<std::string>(readTextFile(folder_ / "other", 100)), "two");
+}
+
+/// A process that has ended.
+pid_t endedProcess() {
+    const pid_t process = fork();
+    if (process == 0) {
+        _exit(0);
+    }
+    int status = 0;
+    waitpid(process, &status, 0);
+    return process;
+}
+
+// What a kill while saving leaves is removed by the next save; what others write, or called so
+// themselves, is not.
+TEST_F(TextFile, SavingRemovesWhatADeadProcessHasLeft) {
+    const fs::path file = folder_ / "file";
+    const auto left = [&](const std::string& ending) {
+        fs::path path = file;
+        std::ofstream(path += ending) << "half";
+        return path;
+    };
+    const fs::path dead = left('.' + std::to_string(endedProcess()) + "-7.new");
+    const fs::path alive = left('.' + std::to_string(getpid()) + "-999.new");
+    const fs::path own = left(".ideas-7.new");
+    ASSERT_FALSE(writeTextFile(file, "text"));
+    EXPECT_FALSE(fs::exists(dead));
+    EXPECT_TRUE(fs::exists(alive));
+    EXPECT_TRUE(fs::exists(own));
+}
+
+// I1: reading, merging and writing exclude each other. A process that is killed lets go.
+TEST_F(TextFile, AFolderIsLockedOnceAtATime) {
+    {
+        const FolderLock first(folder_);
+        EXPECT_TRUE(first.held());
+        EXPECT_FALSE(FolderLock(folder_, 4).held());
+    }
+    EXPECT_TRUE(FolderLock(folder_, 4).held());
+    int ready[2] = {};
+    ASSERT_EQ(pipe(ready), 0);
+    const pid_t other = fork();
+    if (other == 0) {
+        const FolderLock lock(folder_);
+        const char answer = lock.held() ? 'y' : 'n';
+        if (write(ready[1], &answer, 1) == 1) {
+            pause();
+        }
+        _exit(0);
+    }
+    char answer = 0;
+    ASSERT_EQ(read(ready[0], &answer, 1), 1);
+    EXPECT_EQ(answer, 'y');
+    EXPECT_FALSE(FolderLock(folder_, 4).held());
+    kill(other, SIGKILL);
+    int status = 0;
+    waitpid(other, &status, 0);
+    EXPECT_TRUE(FolderLock(folder_, 4).held());
 }
 
 TEST_F(TextFile, ALongerFileThanTheLimitIsRefused) {

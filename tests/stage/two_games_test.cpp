@@ -5,7 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <filesystem>
+#include <optional>
+#include <thread>
 
 #include "stage_rig.hpp"
 
@@ -91,6 +95,34 @@ TEST_F(TwoGames, TheBetterScoreStaysIfItEndsLast) {
     other.enter(better_);
     other.close();
     expectTheBetterStays();
+}
+
+// I1: one game is delayed after it has read the profile, the other saves meanwhile: its score was
+// lost, since the first one did not know of it.
+TEST_F(TwoGames, TheSecondWaitsWhileTheFirstMergesAndSaves) {
+    Profile one;
+    one.best[0]["a"].score = 10;
+    Profile other;
+    other.best[0]["b"].score = 20;
+    std::optional<FileProblem> problem;
+    std::atomic<bool> done{false};
+    std::thread second;
+    {
+        const FolderLock lock(folder_); // the first one merges
+        second = std::thread([&] {
+            problem = saveProfile(file(), other, std::nullopt);
+            done = true;
+        });
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        EXPECT_FALSE(done);
+        EXPECT_FALSE(writeTextFile(file(), toText(one)));
+    }
+    second.join();
+    EXPECT_FALSE(problem);
+    const std::optional<Profile> saved = savedProfile(file());
+    ASSERT_TRUE(saved);
+    EXPECT_EQ(saved->bestOf(Mode::Standard, "a").score, 10);
+    EXPECT_EQ(saved->bestOf(Mode::Standard, "b").score, 20);
 }
 
 // The stored replay alone tells that it is better: the profile was lost, or is not written yet.

@@ -3,18 +3,12 @@
 #include <kodo/state_hash.hpp>
 
 #include <algorithm>
-#include <atomic>
-#include <cerrno>
 #include <charconv>
-#include <cstdio>
 #include <fstream>
 #include <limits>
 #include <system_error>
 
-#ifdef _WIN32
-#include <io.h>
-#include <process.h>
-#else
+#ifndef _WIN32
 #include <sys/stat.h>
 
 #include <fcntl.h>
@@ -24,35 +18,6 @@
 namespace apart {
 
 namespace {
-
-#ifdef _WIN32
-int processId() {
-    return _getpid();
-}
-int syncToDisk(std::FILE* file) {
-    return _commit(_fileno(file));
-}
-#else
-int processId() {
-    return getpid();
-}
-int syncToDisk(std::FILE* file) {
-    return fsync(fileno(file));
-}
-#endif
-
-/// Reason not to read or replace what stands at a path; empty if it is a regular file. A pipe or a
-/// device might never end.
-std::string notAFile(std::filesystem::file_status status) {
-    if (!std::filesystem::exists(status)) {
-        return "there is no such file";
-    }
-    if (std::filesystem::is_directory(status)) {
-        return "is a folder, not a file";
-    }
-    return std::filesystem::is_regular_file(status) ? ""
-                                                    : "is a pipe, a device or a socket, not a file";
-}
 
 /// Reads at most `limit` + 1 bytes of a regular file into `bytes`, none of a longer one. Returns
 /// the reason why it cannot be read, or "".
@@ -147,46 +112,18 @@ bool isCommand(std::uint32_t code) {
            (code >= 0x2066 && code <= 0x2069);
 }
 
-/// Name of a temporary file beside `path`, which no other program and no other call uses.
-std::filesystem::path temporaryFor(const std::filesystem::path& path) {
-    static std::atomic<unsigned> calls{0};
-    std::filesystem::path fresh = path;
-    fresh += '.' + std::to_string(processId()) + '-' + std::to_string(++calls) + ".new";
-    return fresh;
-}
-
-/// Where a chain of symbolic links leads, to a file that need not exist; nullopt: in a circle.
-std::optional<std::filesystem::path> targetOf(std::filesystem::path path) {
-    constexpr int kMostLinks = 40;
-    for (int i = 0; i < kMostLinks; ++i) {
-        std::error_code error;
-        if (!std::filesystem::is_symlink(std::filesystem::symlink_status(path, error))) {
-            return path;
-        }
-        const std::filesystem::path next = std::filesystem::read_symlink(path, error);
-        path = next.is_absolute() ? next : path.parent_path() / next;
-    }
-    return std::nullopt;
-}
-
-/// Writes and closes a file that is on the disk then. Returns 0, or the number of the error.
-int writeToDisk(const std::filesystem::path& path, std::string_view text) {
-    std::FILE* const file = std::fopen(path.string().c_str(), "wb");
-    if (file == nullptr) {
-        return errno;
-    }
-    int error = 0;
-    if (std::fwrite(text.data(), 1, text.size(), file) != text.size() || std::fflush(file) != 0 ||
-        syncToDisk(file) != 0) {
-        error = errno;
-    }
-    if (std::fclose(file) != 0 && error == 0) {
-        error = errno;
-    }
-    return error;
-}
-
 } // namespace
+
+std::string notAFile(std::filesystem::file_status status) {
+    if (!std::filesystem::exists(status)) {
+        return "there is no such file";
+    }
+    if (std::filesystem::is_directory(status)) {
+        return "is a folder, not a file";
+    }
+    return std::filesystem::is_regular_file(status) ? ""
+                                                    : "is a pipe, a device or a socket, not a file";
+}
 
 std::string printable(std::string_view text) {
     std::string shown;
@@ -249,35 +186,6 @@ Read<std::string> readTextFile(const std::filesystem::path& path, std::size_t li
         return wrong("is longer than " + std::to_string(limit) + " bytes");
     }
     return bytes;
-}
-
-std::optional<FileProblem> writeTextFile(const std::filesystem::path& path, std::string_view text) {
-    std::error_code unknown;
-    const auto status = std::filesystem::status(path, unknown);
-    if (std::filesystem::exists(status) && !std::filesystem::is_directory(status)) {
-        if (std::string reason = notAFile(status); !reason.empty()) { // it would be replaced
-            return FileProblem{path.string(), 0, std::move(reason)};
-        }
-    }
-    const std::optional<std::filesystem::path> target = targetOf(path);
-    if (!target) {
-        return FileProblem{path.string(), 0, "is a link that leads in a circle"};
-    }
-    const std::filesystem::path fresh = temporaryFor(*target);
-    if (const int number = writeToDisk(fresh, text)) {
-        std::error_code ignored;
-        std::filesystem::remove(fresh, ignored);
-        return FileProblem{path.string(), 0,
-                           "cannot be written: " + std::generic_category().message(number)};
-    }
-    std::error_code error;
-    std::filesystem::rename(fresh, *target, error);
-    if (error) {
-        std::error_code ignored;
-        std::filesystem::remove(fresh, ignored);
-        return FileProblem{path.string(), 0, "cannot be written: " + error.message()};
-    }
-    return std::nullopt;
 }
 
 std::uint64_t digestOf(std::string_view bytes) {

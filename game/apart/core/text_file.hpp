@@ -41,11 +41,34 @@ using Read = std::variant<T, FileProblem>;
 /// file is refused before any of it is read.
 Read<std::string> readTextFile(const std::filesystem::path& path, std::size_t limit);
 
+/// Reason not to read or replace what stands at a path; empty if it is a regular file. A pipe or a
+/// device might never end.
+std::string notAFile(std::filesystem::file_status status);
+
 /// Writes a temporary file beside `path`, brings it to the disk and then renames it, so that a
-/// failure keeps the old file. Its name is its own, so that two programs may save at once. A
-/// symbolic link stays: its target is written. A pipe or a device is refused, since the renamed
-/// file would replace it.
+/// failure keeps the old file. Its name is its own, so that two programs may save at once. Mode and
+/// owner stay, and a symbolic link does: its target is written. A file with several names (hard
+/// links) is written in place. Refused are one that nobody may write to, and a pipe or a device,
+/// which the renamed file would replace.
 std::optional<FileProblem> writeTextFile(const std::filesystem::path& path, std::string_view text);
+
+/// While one lives and is held, no other one is, in any process: around reading a file, merging
+/// and writing it. It ends with its process. Not on Windows, where each is held.
+class FolderLock {
+public:
+    /// Tries each 5 ms, so often at most.
+    explicit FolderLock(const std::filesystem::path& folder, int attempts = 1000);
+    ~FolderLock();
+    FolderLock(const FolderLock&) = delete;
+    FolderLock& operator=(const FolderLock&) = delete;
+
+    /// Also true where the file system has no locks.
+    bool held() const { return held_; }
+
+private:
+    int folder_ = -1;
+    bool held_ = true;
+};
 
 /// 64-bit FNV-1a; detects damage, not forgery.
 std::uint64_t digestOf(std::string_view bytes);

@@ -240,6 +240,10 @@ std::optional<FileProblem> saveProfile(const std::filesystem::path& file, const 
     if (error) {
         return FileProblem{file.string(), 0, "its folder cannot be made: " + error.message()};
     }
+    const FolderLock lock(file.parent_path()); // another game may save at once
+    if (!lock.held()) {
+        return FileProblem{file.string(), 0, "another game is writing it, and does not end"};
+    }
     const LoadedProfile saved = loadProfile(file);
     if (saved.keepFile) {
         return FileProblem{file.string(), 0,
