@@ -136,6 +136,29 @@ expect 2 "^apart-headless: There is no command 'bogus'. Try apart-headless --hel
 expect 2 "There is no option '--bogus'" "$program" --bogus
 expect 2 'not expected: bogus' "$program" bot bogus
 
+# I2: what a file or a word holds reaches a terminal without its commands.
+mkdir -p hostile/levels
+sed -e 's/^title = .*/title = "Red \\u001b[31m\\u202etitle"/' \
+    "$replays/levels/single.toml" >hostile/levels/single.toml
+expect 2 'single.toml:2: title must be one line without control characters' \
+    env APART_ASSETS="$PWD/hostile" "$program" levels
+mark=$(printf 'a\033[31m\342\200\256b')
+expect 2 "there is no field a.\[31m.b" "$program" trace a.replay --field "$mark"
+expect 2 "There is no command 'a.\[31m.b'" "$program" "$mark"
+expect 2 'a.\[31m.b: is not a level name' "$program" bot --level "$mark"
+expect 2 'a.\[31m.b: there are no levels in it' env APART_ASSETS="/$mark" "$program" levels
+for words in "trace a.replay --field" "" "bot --level" "replay" "verify" "lint"; do
+    # shellcheck disable=SC2086
+    if "$program" $words "$mark" 2>&1 | grep -q "$(printf '\033\|\342\200\256')"; then
+        printf 'FAILED: "%s" prints the commands of its word\n' "$words"
+        failed=1
+    fi
+done
+if APART_ASSETS="$PWD/hostile" "$program" levels 2>&1 | grep -q "$(printf '\033')"; then
+    echo 'FAILED: levels prints the commands of a title'
+    failed=1
+fi
+
 # An output that is lost is told, be it short or long.
 to_full() {
     "$program" "$@" >/dev/full

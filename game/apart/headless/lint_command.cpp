@@ -196,7 +196,7 @@ int runLint(const LintCommand& command) {
             printRow(report);
         }
         for (const std::string& warning : report.warnings) {
-            fmt::print(stderr, "{}: warning: {}.\n", report.level, warning);
+            complain(fmt::format("{}: warning: {}.", report.level, warning));
         }
         if (!report.passed()) {
             failed.push_back(std::move(report));
@@ -207,7 +207,7 @@ int runLint(const LintCommand& command) {
     }
     for (const LintReport& report : failed) {
         for (const std::string& problem : report.problems) {
-            fmt::print(stderr, "{}: {}.\n", report.level, problem);
+            complain(fmt::format("{}: {}.", report.level, problem));
         }
     }
     if (!command.json) {

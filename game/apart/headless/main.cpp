@@ -8,6 +8,7 @@
 #include <apart/core/player.hpp>
 #include <apart/core/replay.hpp>
 #include <apart/core/replay_link.hpp>
+#include <apart/core/text_file.hpp>
 #include <apart/core/tuning.hpp>
 #include <apart/core/version.hpp>
 #include <apart/headless/lint_command.hpp>
@@ -103,8 +104,8 @@ bool agrees(const std::string& file, const Playback& playback) {
         return true;
     }
     const auto& [tick, agreed] = *playback.divergence();
-    fmt::print(stderr, "{}: the game diverges: tick {} is the first whose hash differs{}\n", file,
-               tick, agreed ? fmt::format("; tick {} agrees", *agreed) : "");
+    complain(fmt::format("{}: the game diverges: tick {} is the first whose hash differs{}", file,
+                         tick, agreed ? fmt::format("; tick {} agrees", *agreed) : ""));
     return false;
 }
 
@@ -114,7 +115,7 @@ bool playReplay(const std::string& file, const Replay& replay, bool json, DailyR
     Playback playback = openReplay(file, replay);
     const std::optional<std::uint32_t> ended = playToEnd(playback);
     for (const Playback::Failure& failure : playback.failures()) {
-        fmt::print(stderr, "{}:{}: {}\n", file, failure.expectation.line, failure.text());
+        complain(fmt::format("{}:{}: {}", file, failure.expectation.line, failure.text()));
     }
     daily.score += playback.game().score();
     daily.ticks += replay.end;
@@ -183,8 +184,9 @@ int verify(const std::string& file, bool json) {
 int listLevels() {
     for (const std::string& name : namesOfLevels()) {
         const Level found = valueOrRefuse(loadLevel(name));
-        fmt::print("{:<16} {:<12} {}: {}\n", name,
-                   kThemeNames[static_cast<std::size_t>(found.theme)], found.title, found.idea);
+        fmt::print("{:<16} {:<12} {}: {}\n", printable(name),
+                   kThemeNames[static_cast<std::size_t>(found.theme)], printable(found.title),
+                   printable(found.idea));
     }
     return 0;
 }
@@ -332,7 +334,7 @@ int run(int argc, char** argv) {
         if (error.get_exit_code() == 0) {
             return app.exit(error); // --help
         }
-        fmt::print(stderr, "apart-headless: {}. Try {}.\n", problemOf(app, error), helpOf(app));
+        complain(fmt::format("apart-headless: {}. Try {}.", problemOf(app, error), helpOf(app)));
         return 2;
     }
     if (replayCommand->parsed()) {
@@ -370,9 +372,9 @@ int main(int argc, char** argv) {
         }
         return code;
     } catch (const apart::Refusal& refusal) {
-        fmt::print(stderr, "apart-headless: {}\n", refusal.sentence);
+        apart::complain("apart-headless: " + refusal.sentence);
     } catch (const std::exception& error) {
-        fmt::print(stderr, "apart-headless: {}\n", error.what());
+        apart::complain(std::string("apart-headless: ") + error.what());
     }
     return 2;
 }

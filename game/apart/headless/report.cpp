@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <apart/core/text_file.hpp>
 #include <apart/core/tuning.hpp>
 #include <apart/headless/report.hpp>
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <unistd.h>
 
@@ -54,6 +56,14 @@ std::string asJson(const Report& report) {
     return text + "}";
 }
 
+void complain(const std::string& lines) {
+    for (std::size_t at = 0; at <= lines.size();) {
+        const std::size_t end = std::min(lines.find('\n', at), lines.size());
+        fmt::print(stderr, "{}\n", printable(lines.substr(at, end - at)));
+        at = end + 1;
+    }
+}
+
 std::string asSentence(const Report& report) {
     const std::uint32_t end = report.ended.value_or(report.ticks);
     const std::string more =
@@ -61,7 +71,7 @@ std::string asSentence(const Report& report) {
     return fmt::format(
         "{}, seed {}: {} after {} ({} ticks), score {}, lives {}, blocks left {}.{}\n"
         "State hash {}.",
-        report.level, report.seed, kResultNames[static_cast<std::size_t>(report.result)],
+        printable(report.level), report.seed, kResultNames[static_cast<std::size_t>(report.result)],
         clockOf(end), end, report.score, report.lives, report.blocksLeft, more,
         toHex(report.stateHash));
 }

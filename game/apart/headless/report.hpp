@@ -29,6 +29,9 @@ struct Report {
 
 Report reportOf(const Game& game);
 
+/// Prints lines on stderr, printable.
+void complain(const std::string& lines);
+
 std::string asJson(const Report& report);
 std::string asSentence(const Report& report);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/assets.hpp>
+#include <apart/core/text_file.hpp>
 #include <apart/core/tuning.hpp>
 #include <apart/sfml/film.hpp>
 #include <apart/sfml/frame_times.hpp>
@@ -32,7 +33,7 @@ const kodo_draw::Size kPixels{layout::kWindowWidth, layout::kWindowHeight};
 constexpr kodo_draw::Rgba kBlack{0, 0, 0};
 
 void complain(const std::string& sentence) {
-    std::fprintf(stderr, "apart: %s\n", sentence.c_str());
+    std::fprintf(stderr, "apart: %s\n", printable(sentence).c_str());
 }
 
 /// The file of a picture: of several, its number stands before the extension.

@@ -79,7 +79,7 @@ std::variant<Options, int> parseOptions(int argc, char** argv) {
         if (error.get_exit_code() == 0) {
             return app.exit(error); // --help
         }
-        std::fprintf(stderr, "apart: %s. Try apart --help.\n", error.what());
+        std::fprintf(stderr, "apart: %s. Try apart --help.\n", printable(error.what()).c_str());
         return kRefused;
     }
     return options;
