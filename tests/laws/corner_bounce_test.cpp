@@ -5,6 +5,8 @@
 #include <support/solver.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace kodo {
@@ -75,6 +77,31 @@ TEST(CornerBounce, WithoutLossALandingKeepsItsEnergy) {
                     EXPECT_TRUE(
                         nearShare(energyLeft({solver, rate, 1, shape, tilt, place}), 1, 0.001L));
                 }
+            }
+        }
+    }
+}
+
+// I10: a box that is at exactly 45 degrees lands on one corner, below its middle; once it kept 0.8.
+TEST(CornerBounce, ALandingOnOneCornerKeepsItsEnergy) {
+    const Real half = std::sqrt(Real(0.5));
+    for (const Solver solver : support::kSolvers) {
+        for (const int rate : kBounceRates) {
+            for (const Rot rotation : {Rot{half, half}, Rot{half, -half}, Rot{-half, half},
+                                       Rot::fromAngle(std::numbers::pi_v<Real> / 4)}) {
+                World world({.settings = support::settingsOf(solver)});
+                const Material material = slippery(1);
+                world.add({.shape = Plane{}, .material = material, .type = BodyType::Static});
+                const BodyId box = world.add({.shape = Box{1, 1},
+                                              .position = {0, 2},
+                                              .rotation = rotation,
+                                              .velocity = {0, -8},
+                                              .material = material});
+                const long double before = totalsOf(world).kinetic;
+                support::run(world, rate, Real(1) / static_cast<Real>(rate));
+                SCOPED_TRACE(testing::Message() << rate << " Hz, " << rotation.c);
+                EXPECT_TRUE(nearShare(totalsOf(world).kinetic, before, 0.001L));
+                EXPECT_NEAR(world[box].velocity().y, 8, 0.008);
             }
         }
     }

@@ -282,6 +282,19 @@ def check_macros(include):
     run(given.compiler, "-std=c++20", "-fsyntax-only", f"-I{include}", source)
 
 
+def check_unknown_field(include):
+    """I7: a compiler names a field that a definition does not have."""
+    source = work / "unknown_field.cpp"
+    source.write_text("#include <kodo/kodo.hpp>\nvoid fill(kodo::World& world) {\n"
+                      "    world.add(kodo::BodyDef{.shape = kodo::Box{1, 1}, .friction = 1});\n}\n")
+    for compiler, standard in COMPILERS:
+        if shutil.which(compiler) is not None:
+            command = (compiler, f"-std={standard}", "-fsyntax-only", f"-I{include}", source)
+            done = subprocess.run(command, capture_output=True, text=True, check=False)
+            check(done.returncode != 0 and re.search(r"error: .*'?friction", done.stderr),
+                  f"{compiler} does not name the field: {done.stderr[:500]}")
+
+
 def check_position_independent(library):
     whole = ("-Wl,--whole-archive", library, "-Wl,--no-whole-archive")
     run(given.compiler, "-shared", "-Wl,-z,text", *whole, "-o", work / "whole.so")
@@ -352,6 +365,7 @@ def install():
     check_warnings(prefix / "include")
     check_c_warnings(prefix / "include")
     check_macros(prefix / "include")
+    check_unknown_field(prefix / "include")
     for library in prefix.glob("lib/libkodo*.a"):
         check_position_independent(library)
     check_fused(prefix)

@@ -68,7 +68,7 @@ BodyDef slipperyGround(const Shape& shape) {
     return {.shape = shape, .material = support::slippery(), .type = BodyType::Static};
 }
 
-// F2: flush pieces of unequal length, without friction. The path is the closed form: constant
+// F2, I9: flush pieces of unequal length, without friction. The path is the closed form: constant
 // speed, constant height.
 TEST(Chain, FlushPiecesAreNotFelt) {
     RandomNumbers random(51);
