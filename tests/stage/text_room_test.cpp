@@ -93,7 +93,7 @@ TEST(TextRoom, OfEachLevelOnTheMapAndBesideTheField) {
 
                 Game game(allLevels()[i], 1, mode);
                 HudLook look;
-                look.place = "LEVEL 46 OF 46";
+                look.place = "LEVEL 56 OF 56";
                 look.scoreBefore = look.best = 1234567;
                 look.pilot = "REPLAY  paused";
                 look.foot = "59:59 of 59:59";
