@@ -55,6 +55,9 @@ for also in '--profiles fast' '--engines kodo64'; do
 done
 refuse '^tools/crosscheck: .*no installed Box2D 3 in' tools/crosscheck --box2d3 nowhere
 refuse '^tools/crosscheck: --errors measures all scenes' tools/crosscheck --errors --list
+# I5: a file whose name begins with a dash is a file, and no option of realpath.
+: >-x.replay
+refuse '^[^:]*--sandbox cannot be combined' tools/play --replay -x.replay --sandbox
 # Options that would have no effect.
 for wrong in '--check --survivors' '--check --only 1' '--report page.md --jobs 2'; do
     # shellcheck disable=SC2086
