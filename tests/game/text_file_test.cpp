@@ -132,6 +132,20 @@ TEST_F(TextFile, SavingRemovesWhatADeadProcessHasLeft) {
     EXPECT_TRUE(fs::exists(own));
 }
 
+// Numbers of processes come again, and in a browser there is one alone.
+TEST_F(TextFile, ALeftoverOfTheOwnNumberIsNoObstacle) {
+    const fs::path file = folder_ / "file";
+    for (int call = 1; call < 200; ++call) {
+        fs::path left = file;
+        left += '.' + std::to_string(getpid()) + '-' + std::to_string(call) + ".new";
+        std::ofstream(left) << "half of a longer text";
+    }
+    for (const char* text : {"one", "two"}) {
+        ASSERT_FALSE(writeTextFile(file, text));
+        EXPECT_EQ(std::get<std::string>(readTextFile(file, 100)), text);
+    }
+}
+
 // I1: reading, merging and writing exclude each other. A process that is killed lets go.
 TEST_F(TextFile, AFolderIsLockedOnceAtATime) {
     {

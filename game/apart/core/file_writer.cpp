@@ -161,6 +161,7 @@ int replaceFile(const fs::path& target, std::string_view text) {
     }
     removeLeftovers(target);
     const fs::path fresh = temporaryFor(target);
+    ::unlink(fresh.c_str()); // of an earlier process with this number; in a browser all have one
     Opened file(fresh, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW, exists ? 0600 : 0666);
     if (file.number() < 0) {
         return errno;
