@@ -187,6 +187,7 @@ private:
             GearJoint{.ends = ends, .ratio = number, .rack = Vec2{1, 0}},
             FilterJoint{.ends = ends},
         };
+        static_assert(std::variant_size_v<JointDef> == 10, "a kind of joint is left out");
         const JointDef def = kinds[feed_.below(std::size(kinds))];
         const std::vector<JointId> joints = world_.joints();
         if (joints.size() < 12 && feed_.below(3) > 0) {

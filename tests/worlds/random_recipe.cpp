@@ -18,7 +18,7 @@ constexpr std::size_t kGrounds = 7;
 
 class Generator {
 public:
-    explicit Generator(std::uint64_t seed) : random_(seed + 77000) {}
+    explicit Generator(std::uint64_t seed) : random_(seed + 77000), rounds_(seed % 8 == 7) {}
 
     Recipe next() {
         setWorld();
@@ -160,7 +160,25 @@ private:
             support::AnyKind::Circle, support::AnyKind::Polygon, support::AnyKind::Polygon,
             support::AnyKind::Point,  support::AnyKind::Segment};
         const std::size_t few = recipe_.rests ? 6 : std::size(kKinds);
-        return support::scaled(support::randomPrimitive(random_, kKinds[random_.below(few)]), size);
+        const Primitive plain =
+            support::scaled(support::randomPrimitive(random_, kKinds[random_.below(few)]), size);
+        return rounds_ ? rounded(plain) : plain;
+    }
+
+    /// A capsule instead of a circle, and a box with round corners, of the same extents.
+    static Primitive rounded(const Primitive& plain) {
+        if (const auto* circle = std::get_if<Circle>(&plain)) {
+            const Vec2 half{circle->radius / 2, 0};
+            return Capsule{circle->center - half, circle->center + half, circle->radius / 2};
+        }
+        if (const auto* box = std::get_if<Box>(&plain)) {
+            Box round = *box;
+            round.radius = std::min(box->width, box->height) / 8;
+            round.width -= 2 * round.radius;
+            round.height -= 2 * round.radius;
+            return round;
+        }
+        return plain;
     }
 
     Shape shape(Real size) {
@@ -367,6 +385,7 @@ private:
     }
 
     RandomNumbers random_;
+    bool rounds_; // shapes have round corners
     Recipe recipe_;
     Ground ground_ = Ground::None;
 };

@@ -12,7 +12,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <stdexcept>
+#include <variant>
 
 namespace worlds {
 namespace {
@@ -80,6 +82,23 @@ TEST_F(RandomWorlds, SatisfyEveryJudgeExceptAtKnownLimits) {
         EXPECT_LE(found[i], kKnownLimits[i].most)
             << kKnownLimits[i].judge << " in worlds with " << kKnownLimits[i].kind;
     }
+}
+
+// A new kind of joint or shape must not be left out of them.
+TEST_F(RandomWorlds, HaveEveryKindOfJointAndShape) {
+    std::set<std::size_t> joints;
+    std::set<std::size_t> shapes;
+    for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
+        const Recipe recipe = randomRecipe(seed);
+        for (const kodo::JointDef& joint : recipe.joints) {
+            joints.insert(joint.index());
+        }
+        for (const kodo::BodyDef& body : recipe.bodies) {
+            shapes.insert(body.shape.index());
+        }
+    }
+    EXPECT_EQ(joints.size(), std::variant_size_v<kodo::JointDef>);
+    EXPECT_EQ(shapes.size(), std::variant_size_v<kodo::Shape>);
 }
 
 TEST_F(RandomWorlds, AreRestoredFromTheirText) {
