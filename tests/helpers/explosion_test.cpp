@@ -117,6 +117,20 @@ TEST(Explosion, AsksTheFilterOfEachPart) {
     EXPECT_NEAR(hits[0].point.x, 2.5, 0.01);
 }
 
+// All impulses point away from the middle, so a body turns as much as its centre goes around it.
+TEST(Explosion, GivesNoAngularMomentumAboutItsMiddle) {
+    for (const Vec2 middle : {Vec2{0, 0}, Vec2{50, -30}}) {
+        World world;
+        const BodyId rod =
+            world.add({.shape = Box{Real(0.2), 4}, .position = middle + Vec2{2, Real(1.5)}});
+        ASSERT_EQ(explode(world, {.center = middle, .radius = 20, .impulse = 5}).size(), 1u);
+        const BodyView body = world[rod];
+        const Real turns = body.inertia() * body.angularVelocity();
+        EXPECT_GT(std::abs(turns), 0.5);
+        EXPECT_NEAR(turns, -body.mass() * cross(body.center() - middle, body.velocity()), 1e-3);
+    }
+}
+
 TEST(Explosion, RefusesBadNumbers) {
     World world;
     const BodyId body = world.add({.position = {1, 0}});

@@ -208,6 +208,22 @@ TEST(ShapeQueries, DistancesOfGivenBodies) {
                  BadDefinition);
 }
 
+// Awake bodies that the region leaves outside keep their touches, which the region holds.
+TEST(Touching, TellsWhatTouchesOutsideTheRegion) {
+    World world{{.gravity = support::kEarth, .settings = {.leaveOut = Feature::Sleep}}};
+    const BodyId floor = support::addFloor(world);
+    const BodyId box = world.add(support::boxDef({0, Real(0.5)}, 1, 1));
+    support::run(world, 10);
+    ASSERT_EQ(touching(world, box), std::vector{floor});
+    world.setRegion(Aabb{{100, 0}, {101, 1}});
+    support::run(world, 3);
+    EXPECT_EQ(touching(world, box), std::vector{floor});
+    EXPECT_EQ(touching(world, floor), std::vector{box});
+    world.setRegion(std::nullopt);
+    support::run(world, 3);
+    EXPECT_EQ(touching(world, box), std::vector{floor});
+}
+
 // All pairs of begun and not ended records, while bodies fall, lie and sleep.
 TEST(Touching, IsWhatBeganAndHasNotEndedAlsoAsleep) {
     World world{{.gravity = support::kEarth}};

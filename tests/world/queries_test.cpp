@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <limits>
 #include <tuple>
+#include <vector>
 
 namespace kodo {
 namespace {
@@ -247,6 +248,27 @@ TEST(Queries, RefuseInvalidValues) {
     EXPECT_THROW(closestPoint(world, {0, 0}, -1), BadDefinition);
     EXPECT_TRUE(closestPoint(world, {0, 0}, infinity));
     EXPECT_NO_THROW(shapeCast(world, Circle{1}, {}, {0, 0})); // a hero that stands still
+}
+
+// A torque turns a rod within the step, which its velocity before did not tell.
+TEST(Queries, FindABodyThatATorqueHasTurnedInTheStep) {
+    for (const Features leaveOut : {Features{}, Features{Feature::ContinuousCollision}}) {
+        for (const Real angle : {Real(0.05), Real(0.3), Real(1), Real(2)}) { // rad in the step
+            StepSettings settings;
+            settings.leaveOut = leaveOut;
+            World world({.settings = settings});
+            const BodyId rod = world.add({.shape = Box{4, Real(0.1)}});
+            world.step(Real(1) / 60);
+            world[rod].applyTorque(angle * 3600 * world[rod].inertia());
+            world.step(Real(1) / 60);
+            EXPECT_GT(world[rod].rotation().angle(), angle / 3);
+            for (const Real end : {Real(-1.99), Real(1.99)}) {
+                const Vec2 tip = world[rod].transform() * Vec2{end, 0};
+                EXPECT_EQ(overlap(world, Point{}, {tip, {}}), std::vector{rod}) << angle;
+                EXPECT_TRUE(rayCast(world, tip, tip + Vec2{0, Real(0.01)})) << angle;
+            }
+        }
+    }
 }
 
 // One-sided ground is hit from its front only.
