@@ -1118,6 +1118,8 @@ typedef struct kodo_CollisionRecord {
     kodo_Real approachSpeed; // m/s along the normal before the solver; >= 0
     kodo_Real maxImpulse;    // N s; largest normal impulse of all points in one group
     kodo_Real totalImpulse;  // N s; normal impulses of all points, summed over the step
+    /// N s; friction, summed over the step: on b along (-normal.y, normal.x), on a against it
+    kodo_Real tangentImpulse;
 } kodo_CollisionRecord;
 
 static inline bool kodo_involves(const kodo_CollisionRecord* record, kodo_BodyId body) {

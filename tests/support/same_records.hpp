@@ -23,7 +23,8 @@ inline bool sameRecords(std::span<const CollisionRecord> one,
             return std::tuple(p.position.x, p.position.y, p.separation, p.maxImpulse, q.position.x,
                               q.position.y, q.separation, q.maxImpulse, x.a, x.b, x.partA, x.partB,
                               x.phase, x.pointCount, x.point.x, x.point.y, x.normal.x, x.normal.y,
-                              x.separation, x.approachSpeed, x.maxImpulse, x.totalImpulse);
+                              x.separation, x.approachSpeed, x.maxImpulse, x.totalImpulse,
+                              x.tangentImpulse);
         };
         return all(r) == all(s);
     };

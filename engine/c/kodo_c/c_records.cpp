@@ -18,7 +18,7 @@ kodo_RecordPoint pointToC(const kodo::RecordPoint& point) {
 
 kodo_CollisionRecord toC(const kodo::CollisionRecord& record) {
     const auto& [a, b, partA, partB, phase, pointCount, points, point, normal, separation,
-                 approachSpeed, maxImpulse, totalImpulse] = record;
+                 approachSpeed, maxImpulse, totalImpulse, tangentImpulse] = record;
     kodo_CollisionRecord made{};
     made.a = toC(a);
     made.b = toC(b);
@@ -34,6 +34,7 @@ kodo_CollisionRecord toC(const kodo::CollisionRecord& record) {
     made.approachSpeed = approachSpeed;
     made.maxImpulse = maxImpulse;
     made.totalImpulse = totalImpulse;
+    made.tangentImpulse = tangentImpulse;
     return made;
 }
 

@@ -48,6 +48,9 @@ struct CollisionRecord {
     /// upper bound.
     Real maxImpulse = 0;
     Real totalImpulse = 0; // N s; normal impulses of all points, summed over the step
+    /// N s; impulse of friction, summed over the step: on b along perp(normal), on a against it. It
+    /// acts on the middle of the points, so it is one number for the pair.
+    Real tangentImpulse = 0;
 
     bool involves(BodyId body) const { return a == body || b == body; }
     BodyId other(BodyId body) const { return a == body ? b : a; }

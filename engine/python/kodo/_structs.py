@@ -579,6 +579,7 @@ class CollisionRecord(Values):
         ("approachSpeed", Real),
         ("maxImpulse", Real),
         ("totalImpulse", Real),
+        ("tangentImpulse", Real),
     ]
 
 

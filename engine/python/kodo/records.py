@@ -31,6 +31,7 @@ class CollisionRecord(NamedTuple):
     approach_speed: float  #: m/s along the normal before the solver; >= 0
     max_impulse: float  #: N s; largest normal impulse of all points in one group
     total_impulse: float  #: N s; normal impulses of all points, summed over the step
+    tangent_impulse: float  #: N s; friction over the step: on b along perp(normal), on a against it
 
     def involves(self, body: BodyId) -> bool:
         return body in (self.a, self.b)
@@ -126,6 +127,7 @@ def from_record(record: c.CollisionRecord) -> CollisionRecord:
         record.approachSpeed,
         record.maxImpulse,
         record.totalImpulse,
+        record.tangentImpulse,
     )
 
 

@@ -33,7 +33,7 @@ consteval std::size_t countMembers() {
 template <typename T, typename Visit>
 constexpr decltype(auto) withMembers(T& value, Visit visit) {
     constexpr std::size_t kCount = countMembers<std::remove_const_t<T>>();
-    static_assert(kCount > 0 && kCount <= 13, "add a case below");
+    static_assert((kCount > 0 && kCount <= 9) || kCount == 14, "add a case below");
     if constexpr (kCount == 1) {
         auto& [a] = value;
         return visit(a);
@@ -61,18 +61,9 @@ constexpr decltype(auto) withMembers(T& value, Visit visit) {
     } else if constexpr (kCount == 9) {
         auto& [a, b, c, d, e, f, g, h, i] = value;
         return visit(a, b, c, d, e, f, g, h, i);
-    } else if constexpr (kCount == 10) {
-        auto& [a, b, c, d, e, f, g, h, i, j] = value;
-        return visit(a, b, c, d, e, f, g, h, i, j);
-    } else if constexpr (kCount == 11) {
-        auto& [a, b, c, d, e, f, g, h, i, j, k] = value;
-        return visit(a, b, c, d, e, f, g, h, i, j, k);
-    } else if constexpr (kCount == 12) {
-        auto& [a, b, c, d, e, f, g, h, i, j, k, l] = value;
-        return visit(a, b, c, d, e, f, g, h, i, j, k, l);
     } else {
-        auto& [a, b, c, d, e, f, g, h, i, j, k, l, m] = value;
-        return visit(a, b, c, d, e, f, g, h, i, j, k, l, m);
+        auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n] = value;
+        return visit(a, b, c, d, e, f, g, h, i, j, k, l, m, n);
     }
 }
 

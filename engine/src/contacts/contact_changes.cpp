@@ -82,7 +82,7 @@ void ContactSet::takeIdle(std::uint32_t slot, const Bodies& bodies) {
     }
     // Otherwise the step after putBack would report them again.
     taken.numbers.approachSpeed = 0;
-    taken.numbers.total = 0;
+    taken.numbers.total = {};
     for (PointImpulse& impulse : taken.numbers.impulse) {
         impulse = {.normal = impulse.normal};
     }

@@ -59,7 +59,8 @@ void recordContact(const StoredContact& contact, std::vector<CollisionRecord>& o
     record.separation = contact.manifold.points[0].separation;
     const ContactNumbers& numbers = contact.numbers;
     record.approachSpeed = numbers.approachSpeed;
-    record.totalImpulse = numbers.total;
+    record.totalImpulse = numbers.total[0];
+    record.tangentImpulse = numbers.total[1];
     for (std::size_t i = 0; i < record.pointCount; ++i) {
         record.totalImpulse += numbers.impulse[i].impact;
     }

@@ -27,7 +27,8 @@ void checkRecord(const CollisionRecord& record) {
     require(record.phase <= TouchPhase::End, "the phase of a collision record is unknown");
     require(record.pointCount <= 2, "a collision record has more than two points");
     Real sum = record.point.x + record.point.y + record.normal.x + record.normal.y +
-               record.separation + record.approachSpeed + record.maxImpulse + record.totalImpulse;
+               record.separation + record.approachSpeed + record.maxImpulse + record.totalImpulse +
+               record.tangentImpulse;
     for (const auto& [position, separation, maxImpulse] : record.points) {
         sum += position.x + position.y + separation + maxImpulse;
     }
@@ -49,8 +50,9 @@ bool isSound(const Contact& contact, const ContactNumbers& numbers) {
     for (const Real separation : numbers.separation) {
         good = good && small(separation, kMost);
     }
-    for (const Real impulse : {numbers.impulse[0].normal, numbers.impulse[1].normal,
-                               numbers.friction, numbers.rolling, numbers.total}) {
+    for (const Real impulse :
+         {numbers.impulse[0].normal, numbers.impulse[1].normal, numbers.friction, numbers.rolling,
+          numbers.total[0], numbers.total[1]}) {
         good = good && small(impulse, kMaxMass * kMost);
     }
     return good;

@@ -42,9 +42,10 @@ struct ContactNumbers {
     /// m, upper bound of the motion of the bodies against each other since the manifold was found.
     Real relativeDisplacement = 0;
     std::array<PointImpulse, 2> impulse{};
-    Real friction = 0;    // N s, along perp(normal), of both points, of one substep
-    Real rolling = 0;     // N m s, of one substep
-    Real total = 0;       // N s, normal impulses of all points over the step
+    Real friction = 0; // N s, along perp(normal), of both points, of one substep
+    Real rolling = 0;  // N m s, of one substep
+    /// N s, over the step, of all points: along the normal, and of friction along perp(normal).
+    std::array<Real, 2> total{};
     bool sliding = false; // with the kinetic coefficient, if that is below the static one
 };
 

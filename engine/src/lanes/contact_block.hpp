@@ -58,9 +58,9 @@ struct alignas(64) ContactBlock {
     Each staticFriction; // < 0, with its sign reversed: the contact slides
     Each kineticFriction;
     Each pushSpeed; // m/s, largest speed that separates an overlap
-    Each total;     // N s, normal impulses, sum over the step
+    Each total[2];  // N s, sums over the step: see ContactNumbers
 };
-static_assert(sizeof(ContactBlock) - 8 * (2 * 4 + 27 * sizeof(Real)) < 64);
+static_assert(sizeof(ContactBlock) - 8 * (2 * 4 + 28 * sizeof(Real)) < 64);
 
 /// Coefficients of the contacts of a block of which some have rolling resistance or a surface
 /// speed.

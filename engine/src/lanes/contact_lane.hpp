@@ -28,7 +28,7 @@ public:
     Real& impact(std::size_t point) const { return block_->impact[point][lane_]; }
     Real& friction() const { return block_->friction[lane_]; }
     Real& rolling() const { return block_->rolling[lane_]; }
-    Real& total() const { return block_->total[lane_]; }
+    Real& total(std::size_t axis) const { return block_->total[axis][lane_]; }
     /// N s, of a part of a substep.
     Real& impulse(std::size_t point) const { return block_->points[point].impulse[lane_]; }
     Real& largest(std::size_t point) const { return block_->points[point].largest[lane_]; }
@@ -62,9 +62,8 @@ public:
     }
     /// Resets the impulses that belong to the record of one step.
     void clearStep() const {
-        total() = 0;
         for (std::size_t i = 0; i < 2; ++i) {
-            impact(i) = largest(i) = 0;
+            impact(i) = largest(i) = total(i) = 0;
         }
     }
 
@@ -75,7 +74,7 @@ public:
                            .impulse = {},
                            .friction = parts_ * friction(),
                            .rolling = parts_ * rolling(),
-                           .total = total(),
+                           .total = {total(0), total(1)},
                            .sliding = sliding()};
         for (std::size_t i = 0; i < 2; ++i) {
             all.impulse[i] = {parts_ * impulse(i), impact(i), parts_ * largest(i)};
@@ -92,10 +91,10 @@ public:
             impulse(i) = all.impulse[i].normal / parts_;
             impact(i) = all.impulse[i].impact;
             largest(i) = all.impulse[i].largest / parts_;
+            total(i) = all.total[i];
         }
         friction() = all.friction / parts_;
         rolling() = all.rolling / parts_;
-        total() = all.total;
         block_->staticFriction[lane_] = all.sliding ? -1 : 1; // until the lane is filled
     }
 

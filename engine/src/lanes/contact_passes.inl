@@ -125,11 +125,12 @@ KODO_LANES_INLINE Unclamped unclampedAt(const ContactBlock::Point& point, int at
     }
 }
 
-/// The relax pass adds up the normal impulses of the step (N s).
+/// The relax pass adds up the impulses of the step (N s): `sum` along the normal, and friction.
 template <Task task>
 KODO_LANES_INLINE void addTotal(ContactBlock& block, int at, Lanes sum, Real kept) {
     if constexpr (task == Task::Relax) {
-        store(block.total + at, kept * load(block.total + at) + sum);
+        store(block.total[0] + at, kept * load(block.total[0] + at) + sum);
+        store(block.total[1] + at, kept * load(block.total[1] + at) + load(block.friction + at));
     }
 }
 

@@ -14,17 +14,18 @@ void Propagation::store(ContactStore& contacts) {
         lane.clearImpulses();
         for (std::size_t i = 0; i < 2; ++i) {
             lane.largest(i) = std::max(lane.largest(i), lane.impact(i));
-            lane.total() += std::exchange(lane.impact(i), Real(0));
+            lane.total(0) += std::exchange(lane.impact(i), Real(0));
         }
     }
     for (const PropagationRow& row : rows_) {
         const ContactLane lane = contacts.lane(row.contact);
         lane.friction() = row.friction;
+        lane.total(1) += row.friction;
         lane.rolling() = row.rolling;
         for (std::size_t i = 0; i < row.count; ++i) {
             lane.impulse(i) = row.impulse[i];
             lane.largest(i) = std::max(lane.largest(i), row.impulse[i]);
-            lane.total() += row.impulse[i];
+            lane.total(0) += row.impulse[i];
         }
     }
 }

@@ -11,7 +11,7 @@ inline namespace KODO_PRECISION {
 namespace {
 
 constexpr std::uint32_t kMagic = 0x6f646f4b; // "Kodo"
-constexpr std::uint32_t kFormat = 24;        // increases with every change of visitState()
+constexpr std::uint32_t kFormat = 25;        // increases with every change of visitState()
 constexpr std::size_t kChecksumSize = sizeof(std::uint64_t);
 constexpr std::size_t kBytesPerBody = 256; // as of most Worlds; more bytes cost a copy of them
 constexpr std::size_t kBytesPerContact = 384;
