@@ -13,6 +13,8 @@
 namespace apart {
 namespace {
 
+using kodo::Real;
+using kodo::Vec2;
 using Of = LevelPart::Of;
 
 constexpr FreeBlock brick(std::int32_t x, std::int32_t y) {
@@ -90,6 +92,34 @@ TEST(LevelEdit, NeitherEndOfARopeIsAtTheFieldAlone) {
     ASSERT_TRUE(pinned);
     EXPECT_EQ(pinned->links[0].b, 1);
     EXPECT_EQ(pinned->links[0].a, 0);
+}
+
+TEST(LevelEdit, APinJoinsTwoChosenBlocksAndNotTheLatestOnesThere) {
+    const Level level = bricks({brick(0, 8000), brick(400, 8000), brick(800, 8000)});
+    const Vec2 place{Real(0.4), Real(8.2)};
+    const LevelParts ends = {{Of::Block, 0}, {Of::Block, 2}};
+    const std::optional<Level> pinned = withPin(level, place, ends);
+    ASSERT_TRUE(pinned);
+    EXPECT_EQ(pinned->links[0].a, 0);
+    EXPECT_EQ(pinned->links[0].b, 2);
+    const LevelParts one = {{Of::Block, 0}};
+    EXPECT_EQ(withPin(level, place, one)->links[0].a, 1) << "the latest two";
+}
+
+TEST(LevelEdit, SizesChangeAboutTheMiddleAndStayPositive) {
+    Level level = bricks({brick(0, 8000), {.form = Form::Round, .y = 9000, .width = 800}});
+    const LevelParts all = {{Of::Block, 0}, {Of::Block, 1}, {Of::Obstruction, 0}};
+    level = resized(std::move(level), all, {300, 0});
+    EXPECT_EQ(level.freeBlocks[0].width, 1900);
+    EXPECT_EQ(level.freeBlocks[0].height, 800);
+    EXPECT_EQ(level.freeBlocks[0].x, 0);
+    EXPECT_EQ(level.freeBlocks[1].width, 1100);
+    EXPECT_EQ(level.freeBlocks[1].height, 1100);
+    EXPECT_EQ(level.obstructions[0].size, 8300);
+    level = resized(std::move(level), all, {0, -2000});
+    EXPECT_EQ(level.freeBlocks[0].height, 100);
+    EXPECT_EQ(level.freeBlocks[1].width, 100);
+    EXPECT_EQ(level.obstructions[0].height, 100);
 }
 
 TEST(LevelEdit, AMirrorImageHasTheShapeAndTheJointsOfAMirror) {

@@ -139,6 +139,20 @@ TEST(LevelWriter, EveryLevelOfTheGameIsReadAsItWasWritten) {
     }
 }
 
+// Levels of the game that were made with the editor. Opened and saved again, they do not change.
+TEST(LevelWriter, LevelsMadeWithTheEditorAreWrittenByteForByte) {
+    for (const std::string name :
+         {"overhang", "bookshelf", "balancing_act", "big_wheel", "ball_run", "orrery", "aerial",
+          "meteors", "portcullis", "trebuchet"}) {
+        const std::filesystem::path path = assetsFolder() / "levels" / (name + ".toml");
+        const Read<std::string> file = readTextFile(path, kLargestLevel);
+        const Read<Level> level = readLevelFile(path);
+        ASSERT_TRUE(std::holds_alternative<std::string>(file)) << path;
+        ASSERT_TRUE(std::holds_alternative<Level>(level)) << path;
+        EXPECT_EQ(toToml(std::get<Level>(level)), std::get<std::string>(file)) << name;
+    }
+}
+
 TEST(LevelWriter, RareKeysAreKept) {
     const Read<Level> read = parseLevel(kRare, "rare", "rare");
     ASSERT_TRUE(std::holds_alternative<Level>(read)) << std::get<FileProblem>(read).text();

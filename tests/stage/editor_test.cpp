@@ -122,6 +122,23 @@ TEST_F(EditorStage, RopesAndPinsAreDrawnByTheMouse) {
     EXPECT_TRUE(rig_->picture().says("A pin is at a block that is not mounted."));
 }
 
+TEST_F(EditorStage, KeysChangeTheSizeOfChosenBlocksAndOfTheOneInHand) {
+    start();
+    click({0, Real(6.6)});
+    key("W");
+    key("W");
+    key("J");
+    EXPECT_EQ(level().freeBlocks[0].width, 1800);
+    EXPECT_EQ(level().freeBlocks[0].height, 700);
+    key("3");
+    key("Q");
+    key("K");
+    click({6, 12});
+    ASSERT_EQ(level().freeBlocks.size(), 2u);
+    EXPECT_EQ(level().freeBlocks[1].width, 1500);
+    EXPECT_EQ(level().freeBlocks[1].height, 900);
+}
+
 TEST_F(EditorStage, TheLampNamesTheBlockThatMovesFirst) {
     start();
     rig_->frames(20);

@@ -19,6 +19,10 @@ Level without(Level level, LevelParts parts);
 Level withMirrorImages(Level level, std::span<const LevelPart> parts);
 /// Turns each block or ledge about its middle by 1/1000 degree, counter-clockwise.
 Level turned(Level level, std::span<const LevelPart> parts, std::int32_t by);
+/// Adds so much to widths and heights about the middles, to 100 mm at least. A round one takes
+/// both for its diameter; a voussoir keeps its size.
+FreeBlock resized(FreeBlock block, EditStep by);
+Level resized(Level level, std::span<const LevelPart> parts, EditStep by);
 /// Exchanges left and right of the shapes of blocks.
 Level flipped(Level level, std::span<const LevelPart> parts);
 
@@ -31,7 +35,8 @@ Level withLedge(Level level, kodo::Vec2 place, std::int32_t width);
 /// A rope from a place to another one (m), at the blocks that are there or at the field; nullopt:
 /// neither end is at a block that moves. Ends go to the middles of blocks that are near.
 std::optional<Level> withRope(Level level, kodo::Vec2 from, kodo::Vec2 to);
-/// A pin at a place (m), through the latest two blocks there, or one and the field.
-std::optional<Level> withPin(Level level, kodo::Vec2 place);
+/// A pin at a place (m), through the latest two blocks there, or one and the field. If two blocks
+/// are chosen, it joins these, wherever they are.
+std::optional<Level> withPin(Level level, kodo::Vec2 place, std::span<const LevelPart> chosen = {});
 
 } // namespace apart

@@ -125,7 +125,7 @@ void EditorScreen::change(Level level, double now) {
 }
 
 FreeBlock EditorScreen::blockInHand() const {
-    FreeBlock block = usualBlock(tool_.form);
+    FreeBlock block = resized(usualBlock(tool_.form), tool_.larger);
     block.turn = tool_.turn;
     block.mirrored = tool_.flip;
     return block;
@@ -201,7 +201,8 @@ void EditorScreen::release(double now) {
     case EditorTool::Rope:
     case EditorTool::Pin: {
         const bool rope = tool_.tool == EditorTool::Rope;
-        std::optional<Level> linked = rope ? withRope(level, from, to) : withPin(level, to);
+        std::optional<Level> linked =
+            rope ? withRope(level, from, to) : withPin(level, to, hand_.chosen);
         if (!linked) {
             return say(rope ? "One end of a rope is at a block that is not mounted."
                             : "A pin is at a block that is not mounted.",
@@ -249,6 +250,7 @@ void EditorScreen::act(const EditorButton& button, double now) {
         return;
     case EditorAct::Shape:
         tool_.form = static_cast<Form>(button.value);
+        tool_.larger = {};
         tool_.tool = EditorTool::Block;
         return;
     case EditorAct::Undo:
@@ -295,6 +297,17 @@ void EditorScreen::takeKey(int key, double now) {
                                          : EditStep{};
     if (nudge != EditStep{} && !hand_.chosen.empty()) {
         change(moved(*document_.level(), hand_.chosen, nudge), now);
+    }
+    constexpr std::int32_t kMore = 100; // 1/1000 m
+    const EditStep larger = is("W")   ? EditStep{kMore, 0}
+                            : is("Q") ? EditStep{-kMore, 0}
+                            : is("K") ? EditStep{0, kMore}
+                            : is("J") ? EditStep{0, -kMore}
+                                      : EditStep{};
+    if (larger != EditStep{} && tool_.tool == EditorTool::Block) {
+        tool_.larger = {tool_.larger.x + larger.x, tool_.larger.y + larger.y};
+    } else if (larger != EditStep{}) {
+        change(resized(*document_.level(), hand_.chosen, larger), now);
     }
     const std::vector<EditorButton>& all = buttons();
     const auto found = std::find_if(all.begin(), all.end(), [&](const EditorButton& button) {

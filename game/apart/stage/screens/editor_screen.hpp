@@ -95,6 +95,7 @@ private:
         Form form = Form::Brick;
         std::int32_t turn = 0; // 1/1000 degree
         bool flip = false;
+        EditStep larger; // than usual
     };
     struct Hand {
         Vec2 pointer{-100, -100};    // m
