@@ -358,7 +358,8 @@ std::optional<Level> withPin(Level level, Vec2 place, std::span<const LevelPart>
             found.push_back(static_cast<std::int32_t>(part.index));
         }
     }
-    std::sort(found.begin(), found.end(), std::greater<>()); // the latest first
+    // The latest first; total order: indices differ.
+    std::sort(found.begin(), found.end(), std::greater<>());
     if (chosen.size() != 2 || found.size() != 2) {
         found = blocksAt(level, place);
     }
