@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Reads runs from the standard input, one a line: SCENE | NAME=VALUE ..., and prints a JSON object
-// for each. Names: double, dt, seconds, ratio, propagation, and the numbers of StepSettings.
+// for each. Names: double, dt, seconds, ratio, propagation, box2d3, and the numbers of
+// StepSettings. Without Box2D 3 in the build a run in it is null.
 #include "conserve.hpp"
 
 #include <cmath>
@@ -38,12 +39,15 @@ int main() {
         run.scene = line.substr(0, line.find_last_not_of(' ', bar - 1) + 1);
         std::istringstream words(line.substr(bar + 1));
         bool twice = false;
+        bool inBox2d3 = false;
         for (std::string word; words >> word;) {
             const std::size_t equals = word.find('=');
             const std::string name = word.substr(0, equals);
             const double value = std::stod(word.substr(equals + 1));
             if (name == "double") {
                 twice = value > 0;
+            } else if (name == "box2d3") {
+                inBox2d3 = value > 0;
             } else if (name == "dt") {
                 run.dt = value;
             } else if (name == "seconds") {
@@ -56,7 +60,11 @@ int main() {
                 run.numbers[name] = value;
             }
         }
-        std::cout << asJson(twice ? f64::play(run) : f32::play(run)) << std::endl;
+        if (inBox2d3) {
+            std::cout << (v3::isBuilt() ? asJson(v3::play(run)) : "null") << std::endl;
+        } else {
+            std::cout << asJson(twice ? f64::play(run) : f32::play(run)) << std::endl;
+        }
     }
     return 0;
 }

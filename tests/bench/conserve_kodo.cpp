@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <functional>
 #include <memory>
 #include <type_traits>
@@ -38,15 +37,8 @@ struct Scene {
     std::string errorName = "energy, largest change";
 };
 
-struct Sums {
-    double energy = 0;
-    double px = 0;
-    double py = 0;
-    double angular = 0;
-};
-
-Sums sumsOf(const Scene& scene) {
-    Sums sums;
+Totals sumsOf(const Scene& scene) {
+    Totals sums;
     for (const BodyId id : scene.bodies) {
         const kodo::BodyView body = std::as_const(scene.world)[id];
         const double m = number(body.mass());
@@ -307,34 +299,10 @@ double errorOf(const Run& run, Scene& scene, std::string& name) {
 
 Series play(const Run& run) {
     Scene scene = make(run);
-    const Sums start = sumsOf(scene);
-    Series series;
-    series.errorName = scene.errorName;
-    const long steps = std::lround(run.seconds / run.dt);
-    const long every = std::max(steps / 240, 1L);
-    double worst = 0;
-    const std::clock_t begin = std::clock();
-    for (long i = 1; i <= steps; ++i) {
-        scene.world.step(real(run.dt));
-        const Sums now = sumsOf(scene);
-        const double energy = (now.energy - start.energy) / scene.energyScale;
-        worst = std::isfinite(energy) ? std::max(worst, std::abs(energy)) : 1e9;
-        if (i % every == 0) {
-            const double p = std::hypot(now.px - start.px, now.py - start.py);
-            series.samples.push_back(
-                {static_cast<double>(i) * run.dt, energy,
-                 scene.momentumScale > 0 ? p / scene.momentumScale : 0,
-                 scene.angularScale > 0 ? std::abs(now.angular - start.angular) / scene.angularScale
-                                        : 0});
-        }
-    }
-    const double spent = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-    series.microseconds = 1e6 * spent / run.seconds;
-    const double other = errorOf(run, scene, series.errorName);
-    series.error = other >= 0 ? other : worst;
-    const double lostFrom = run.scene == "net" ? 500 : run.scene == "mass ratio" ? 0.09 : 0.5;
-    series.lost = run.scene == "crowd" ? worst > 1e3 : series.error > lostFrom;
-    return series;
+    return measure(
+        run, {scene.energyScale, scene.momentumScale, scene.angularScale, scene.errorName},
+        [&] { scene.world.step(real(run.dt)); }, [&] { return sumsOf(scene); },
+        [&](std::string& name) { return errorOf(run, scene, name); });
 }
 
 } // namespace conserve::KODO_PRECISION

@@ -16,6 +16,7 @@ import bench  # noqa: E402
 import box2d3  # noqa: E402
 import chart  # noqa: E402
 import measure  # noqa: E402
+import dials  # noqa: E402
 import trade  # noqa: E402
 
 
@@ -196,6 +197,33 @@ class Figures(unittest.TestCase):
             texts = [node.text for node in xml.etree.ElementTree.parse(path).iter()]
         self.assertIn("<&>", texts)
         self.assertIn("top sinks (mm)", texts)
+
+
+class Pictures(unittest.TestCase):
+    def test_no_colour_is_there_twice(self):
+        dial_lines = [*dials.KINDS, dials.SHOCK]
+        for colours in ([family.colour for family in trade.FAMILIES.values()],
+                        [colour for _, colour, *_ in dial_lines],
+                        [kind[1] for kind in (*dials.KINDS, *((0, c) for c in dials.SHOCKS.values()))]):
+            self.assertEqual(len(set(colours)), len(colours), colours)
+
+    def test_gains_lie_above_losses(self):
+        axis = dials.SignedAxis([1e-7, 0.5, -3], 200, 0)
+        self.assertEqual(axis.high, 10)
+        self.assertEqual(axis(0), 100)
+        self.assertEqual(axis(1e-7), 100)  # too small to tell
+        self.assertLess(axis(0.5), 100)
+        self.assertGreater(axis(-3), axis(-0.5))
+        self.assertAlmostEqual(axis(0.5) + axis(-0.5), 200)
+        self.assertEqual(axis(-1e9), 200)
+        self.assertEqual([round(axis(tick)) for tick in axis.ticks()], [200, 167, 133, 100, 67, 33, 0])
+
+    def test_a_panel_tells_gain_from_loss(self):
+        line = dials.Line("one", "#123456", "", [(0, 1e-3), (1, -1e-3), (2, None)])
+        signed = dials.panel("title", "time", "change", [line], (False, dials.SIGNED))
+        self.assertIn(">gain<", signed)
+        self.assertIn(">loss<", signed)
+        self.assertNotIn(">gain<", dials.panel("title", "time", "change", [line]))
 
 
 if __name__ == "__main__":

@@ -6,6 +6,7 @@ import shutil
 import sys
 import typing
 
+import box2d3
 import chart
 import dials
 import measure
@@ -59,26 +60,28 @@ class Family(typing.NamedTuple):
 
 
 BALANCED = "balanced"  # the default profile
-FAMILIES = {
+FAMILIES = {  # no colour twice
     "substeps": Family("#1f6feb", "dot", "substeps", True),
-    "stiffness": Family("#1f6feb", "ring", "substeps at contactHertz"),
+    "stiffness": Family("#0a3069", "ring", "substeps at contactHertz"),
     "impacts": Family("#0aa2c0", "triangle", "impactPasses"),
     "profile": Family("#24292f", "diamond", "profiles"),
     "double": Family("#2da44e", "dot", "substeps, double precision", True),
-    "left out": Family("#8c959f", "square", "default without a feature"),
+    "left out": Family("#6b8e23", "square", "default without a feature"),
     "propagation": Family("#bf3989", "dot", "Propagation: contactPasses"),
-    "shock": Family("#bf3989", "triangle", "Propagation with shockPasses"),
-    "box2d": Family("#d1570b", "square", "Box2D: velocity iterations / 3", True),
-    "positions": Family("#d1570b", "triangle", "Box2D: 8 / position iterations", True),
+    "shock": Family("#8250df", "triangle", "Propagation with shockPasses"),
+    "box2d": Family("#d1570b", "square", "Box2D 2.4.1: velocity iterations / 3", True),
+    "positions": Family("#ff9d7a", "triangle", "Box2D 2.4.1: 8 / position iterations"),
+    "box2d3": Family("#e0a800", "square", "Box2D 3: substeps", True),
+    "box2d3 stiff": Family("#7a4a1e", "ring", "Box2D 3: the same, contacts at rate / 8"),
 }
 
 
 # Shown for comparison, not part of the front. A feature that is left out is needed in other scenes.
-FOREIGN = ("box2d", "positions", "left out")
+FOREIGN = ("box2d", "positions", "box2d3", "box2d3 stiff", "left out")
 
 
-def settings():
-    """(family, label, arguments) of every setting."""
+def settings(has_v3=False):
+    """(family, label, arguments) of every setting. `has_v3`: kodo-bench has Box2D 3."""
     ways = [("substeps", f"{n}", ["--substeps", n]) for n in (1, 2, 3, 4, 6, 8, 12, 16, 32)]
     ways += [
         ("stiffness", f"{n} at {hertz} Hz", ["--substeps", n, "--set", f"contactHertz={hertz}"])
@@ -100,6 +103,10 @@ def settings():
     ways += [("box2d", f"{n} / 3", [*box2d, n]) for n in (1, 2, 4, 8, 16, 32, 64)]
     positions = ["--engine", "box2d", "--position-passes"]
     ways += [("positions", f"8 / {n}", [*positions, n]) for n in (10, 30)]
+    if has_v3:
+        v3 = ["--engine", "box2d3", "--substeps"]
+        ways += [("box2d3", f"v3: {n}", [*v3, n]) for n in (2, 4, 8, 16)]
+        ways += [("box2d3 stiff", f"v3: {n} stiff", box2d3.way_of(n)) for n in (8, 16)]
     return ways
 
 
@@ -118,6 +125,7 @@ def options():
     parser.add_argument("--scenes", nargs="+", choices=names)
     parser.add_argument("--repeat", type=measure.runs)
     parser.add_argument("--quick", action="store_true")
+    parser.add_argument("--box2d3", metavar="DIR", type=box2d3.folder)
     parser.add_argument("--dials", action="store_true")
     parser.add_argument("--docs", action="store_true")
     chosen = parser.parse_args()
@@ -191,8 +199,10 @@ def heading(page, first):
     )
 
 
-def legend(page, x, y):
+def legend(page, x, y, shown):
     for name, family in FAMILIES.items():
+        if name not in shown:
+            continue
         if family.joined:
             page.line([(x - 10, y), (x + 10, y)], family.colour, 1)
         page.mark(x, y, family.colour, family.form)
@@ -209,7 +219,7 @@ def legend(page, x, y):
 def draw(results, front, knee, path):
     first = results[0]
     title = f"{first['scene']} {first['size']}: {first['errorName']} against CPU time"
-    page = chart.Page(1040, 600, title)
+    page = chart.Page(1060, 600, title)
     heading(page, first)
     # What is lost stretches no axis: it is drawn at the border.
     holding = [result for result in results if not result["lost"]] or results
@@ -219,7 +229,7 @@ def draw(results, front, knee, path):
     up = chart.LogScale(min(errors) / 1.6, max(errors) * 2, 540, 66)
     unit = first["errorUnit"] or "relative"
     chart.axes(page, across, up, "microseconds a step", f"{first['errorName']} ({unit})")
-    legend(page, 806, 80)
+    legend(page, 796, 80, {result["family"] for result in results})
     page.room = (across.start + 2, up.end - 8, across.end + 16, up.start - 2)
 
     def place(result):
@@ -298,7 +308,7 @@ def main():
         dials.draw(DOCS if chosen.docs else OUT)
         return 0
     measure.stay_on_one_core()
-    ways = settings()
+    ways = settings(chosen.box2d3 is not None)
     questions = [question for question in QUESTIONS if question.name in chosen.scenes]
     scenes = list(dict.fromkeys((question.scene, question.size) for question in questions))
     jobs = [
