@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/solver.hpp"
 #include <support/draws.hpp>
+#include <support/every_kind.hpp>
 #include <support/random_shapes.hpp>
 #include <support/same_events.hpp>
 #include <support/scenes.hpp>
@@ -155,7 +156,7 @@ private:
         const Real angle = (second.rotation() * first.rotation().inverse()).angle();
         ends.breakForce = random_.below(2) == 0 ? Real(1e4) : Real(200);
         ends.collide = random_.below(2) == 0;
-        const JointDef kinds[] = {
+        const support::EveryKind<JointDef> kinds{
             RevoluteJoint{.ends = ends, .reference = angle, .limits = Range{-1, 1}},
             RevoluteJoint{.ends = ends, .motorSpeed = 3, .motorTorque = 5},
             FixedJoint{.ends = ends, .reference = angle},
@@ -171,10 +172,10 @@ private:
             FixedJoint{.ends = ends, .reference = angle, .hertz = 3, .damping = 1},
             RevoluteJoint{.ends = ends, .limits = Range{-9, 9}, .hertz = 2},
             WheelJoint{.ends = ends, .hertz = 4, .damping = 1, .motorSpeed = 5, .motorTorque = 3},
+            PulleyJoint{ends, first.position() + Vec2{0, 4}, second.position() + Vec2{0, 4}, 9, 1},
             GearJoint{.ends = ends, .ratio = -2},
-            FilterJoint{.ends = {a, b}},
-        };
-        const JointDef def = kinds[random_.below(std::size(kinds))];
+            FilterJoint{.ends = {a, b}}};
+        const JointDef def = kinds.list[random_.below(kinds.list.size())];
         return [=](World& w) { w.add(def); };
     }
 

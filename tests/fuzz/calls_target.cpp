@@ -2,6 +2,7 @@
 // Any sequence of calls on a World. Judges: numbers stay finite, energy never grows where nothing
 // puts any in, momentum stays in a closed World, removed ids are refused for ever, refusals change
 // nothing, touches begin and end in turn, and copies and bytes have the same bits.
+#include <support/every_kind.hpp>
 #include <support/scenes.hpp>
 
 #include <fuzz/fuzz.hpp>
@@ -167,7 +168,7 @@ private:
         const JointEnds ends{
             .a = any(), .b = any(), .anchorA = feed_.point(), .anchorB = feed_.point()};
         const Real number = feed_.number();
-        const JointDef kinds[] = {
+        const support::EveryKind<JointDef> kinds{
             RevoluteJoint{.ends = ends},
             RevoluteJoint{.ends = ends, .motorSpeed = number, .motorTorque = 5},
             FixedJoint{.ends = ends},
@@ -185,10 +186,8 @@ private:
             PulleyJoint{.ends = ends, .groundA = {0, 9}, .groundB = {3, 9}, .length = number},
             GearJoint{.ends = ends, .ratio = number},
             GearJoint{.ends = ends, .ratio = number, .rack = Vec2{1, 0}},
-            FilterJoint{.ends = ends},
-        };
-        static_assert(std::variant_size_v<JointDef> == 10, "a kind of joint is left out");
-        const JointDef def = kinds[feed_.below(std::size(kinds))];
+            FilterJoint{.ends = ends}};
+        const JointDef def = kinds.list[feed_.below(kinds.list.size())];
         const std::vector<JointId> joints = world_.joints();
         if (joints.size() < 12 && feed_.below(3) > 0) {
             change([&](World& w) { std::visit([&](const auto& own) { w.add(own); }, def); });

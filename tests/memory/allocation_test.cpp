@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/solver.hpp"
+#include <support/every_kind.hpp>
 #include <support/scenes.hpp>
 
 #include <bench/heap.hpp>
@@ -59,21 +60,25 @@ struct Scene {
             const BodyId b = world.add(support::boxDef({x, 23}, 1, 1));
             return JointEnds{a, b, {0, -1}, {0, 1}};
         };
-        world.add(FixedJoint{.ends = pair(0)});
-        world.add(DistanceJoint{
-            .ends = pair(3), .hertz = 2, .damping = Real(0.1), .limits = Range{0, 3}});
-        world.add(PrismaticJoint{
-            .ends = pair(6), .limits = Range{-1, 1}, .motorSpeed = 1, .motorForce = 9});
-        world.add(MotorJoint{.ends = pair(9), .force = 100, .torque = 10});
-        world.add(RevoluteJoint{.ends = pair(12), .motorSpeed = 2, .motorTorque = 100});
-        world.add(RevoluteJoint{.ends = pair(15), .limits = Range{-9, 9}, .hertz = 2});
-        world.add(FixedJoint{.ends = pair(18), .hertz = 3});
-        world.add(WheelJoint{
-            .ends = pair(21), .hertz = 4, .damping = 1, .motorSpeed = 1, .motorTorque = 9});
         const JointEnds rope = pair(24);
-        world.add(PulleyJoint{rope, {24, 30}, {24, 26}, 10, 1});
-        world.add(GearJoint{.ends = rope});
-        world.add(FilterJoint{.ends = pair(27)});
+        const support::EveryKind<JointDef> kinds{
+            FixedJoint{.ends = pair(0)},
+            DistanceJoint{.ends = pair(3), .hertz = 2, .damping = Real(0.1), .limits = Range{0, 3}},
+            PrismaticJoint{
+                .ends = pair(6), .limits = Range{-1, 1}, .motorSpeed = 1, .motorForce = 9},
+            MotorJoint{.ends = pair(9), .force = 100, .torque = 10},
+            MouseJoint{.body = rope.b, .target = {24, 23}, .force = 1},
+            RevoluteJoint{.ends = pair(12), .motorSpeed = 2, .motorTorque = 100},
+            RevoluteJoint{.ends = pair(15), .limits = Range{-9, 9}, .hertz = 2},
+            FixedJoint{.ends = pair(18), .hertz = 3},
+            WheelJoint{
+                .ends = pair(21), .hertz = 4, .damping = 1, .motorSpeed = 1, .motorTorque = 9},
+            PulleyJoint{rope, {24, 30}, {24, 26}, 10, 1},
+            GearJoint{.ends = rope},
+            FilterJoint{.ends = pair(27)}};
+        for (const JointDef& def : kinds.list) {
+            world.add(def);
+        }
     }
 
     void addFields() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <kodo/convex_shape.hpp>
+#include <support/every_kind.hpp>
 #include <support/random_shapes.hpp>
 
 #include <algorithm>
@@ -143,14 +144,6 @@ kodo::Segment mapped(kodo::Segment segment, Map map) {
     segment.to = map(segment.to);
     return segment;
 }
-
-/// A function object with one overload for each kind.
-template <typename... Overloads>
-struct Each : Overloads... {
-    using Overloads::operator()...;
-};
-template <typename... Overloads>
-Each(Overloads...) -> Each<Overloads...>; // clang 14 deduces none for aggregates
 
 /// Mirrors a primitive. The order of corners is reversed to keep the orientation.
 inline kodo::Primitive mirrored(const kodo::Primitive& primitive) {

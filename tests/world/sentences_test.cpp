@@ -2,6 +2,7 @@
 // What the engine answers to typical mistakes: the field, the value, the range with its unit, and
 // what to do.
 #include <kodo/query.hpp>
+#include <support/every_kind.hpp>
 #include <support/scenes.hpp>
 
 #include <functional>
@@ -208,26 +209,26 @@ TEST(Sentences, OfACallWithSeveralBodiesNameTheIdThatIsNone) {
         }
         EXPECT_EQ(scene.world.stateHash(), before);
     };
-    const auto expectEnds = [&](auto joint) {
-        joint.ends = {.a = gone, .b = scene.box};
-        expect("ends.a: " + ofGone, [&] { scene.world.add(joint); });
-        joint.ends = {.a = scene.box, .b = gone};
-        expect("ends.b: " + ofGone, [&] { scene.world.add(joint); });
-        joint.ends = {.a = foreign, .b = scene.box};
-        expect("ends.a: " + ofForeign, [&] { scene.world.add(joint); });
-        joint.ends = {.a = scene.box, .b = foreign};
-        expect("ends.b: " + ofForeign, [&] { scene.world.add(joint); });
+    const auto expectEnds = [&](const JointEnds& ends, const std::string& text) {
+        const support::EveryKind<JointDef> kinds{RevoluteJoint{.ends = ends},
+                                                 FixedJoint{.ends = ends},
+                                                 DistanceJoint{.ends = ends, .hertz = 1},
+                                                 PrismaticJoint{.ends = ends},
+                                                 MotorJoint{.ends = ends, .force = 1},
+                                                 MouseJoint{.body = gone, .force = 1},
+                                                 WheelJoint{.ends = ends},
+                                                 PulleyJoint{.ends = ends},
+                                                 GearJoint{.ends = ends},
+                                                 FilterJoint{.ends = ends}};
+        for (const JointDef& def : kinds.list) {
+            const bool one = std::holds_alternative<MouseJoint>(def);
+            expect(one ? "body: " + ofGone : text, [&] { scene.world.add(def); });
+        }
     };
-    expectEnds(RevoluteJoint{});
-    expectEnds(FixedJoint{});
-    expectEnds(DistanceJoint{.hertz = 1});
-    expectEnds(PrismaticJoint{});
-    expectEnds(MotorJoint{.force = 1});
-    expectEnds(WheelJoint{});
-    expectEnds(PulleyJoint{});
-    expectEnds(GearJoint{});
-    expectEnds(FilterJoint{});
-    expect("body: " + ofGone, [&] { scene.world.add(MouseJoint{.body = gone, .force = 1}); });
+    expectEnds({.a = gone, .b = scene.box}, "ends.a: " + ofGone);
+    expectEnds({.a = scene.box, .b = gone}, "ends.b: " + ofGone);
+    expectEnds({.a = foreign, .b = scene.box}, "ends.a: " + ofForeign);
+    expectEnds({.a = scene.box, .b = foreign}, "ends.b: " + ofForeign);
     expect("into: " + ofGone, [&] { scene.world.weld(gone, scene.box); });
     expect("part: " + ofForeign, [&] { scene.world.weld(scene.box, foreign); });
     expect("part: the null id BodyId{} names no body", [&] { scene.world.weld(scene.box, {}); });

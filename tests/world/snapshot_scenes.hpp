@@ -2,6 +2,7 @@
 #pragma once
 
 #include <kodo/kodo.hpp>
+#include <support/every_kind.hpp>
 #include <support/random_numbers.hpp>
 
 #include "base/checksum.hpp"
@@ -103,30 +104,33 @@ inline void addJoints(kodo::World& world, const std::vector<kodo::BodyId>& piece
     const auto ends = [&](std::size_t i) {
         return kodo::JointEnds{pieces[i], pieces[i + 1], {0, kodo::Real(0.25)}, {}};
     };
-    world.add(kodo::RevoluteJoint{ends(0), 0, kodo::Range{-1, 1}, 2, 1});
-    world.add(kodo::FixedJoint{ends(2)});
-    world.add(
-        kodo::DistanceJoint{ends(4), kodo::Real(0.75), 3, kodo::Real(0.5), kodo::Range{0, 2}});
-    world.add(kodo::PrismaticJoint{ends(6), {1, 0}, 0, kodo::Range{-1, 1}, 1, 2});
-    world.add(kodo::MotorJoint{ends(8), 0, 1, 1});
-    world.add(kodo::MouseJoint{pieces[10], {}, {1, 4}, 3});
-    world.add(kodo::RevoluteJoint{.ends = ends(22), .target = 5, .hertz = 1});
-    world.add(kodo::RevoluteJoint{
-        .ends = ends(23), .limits = kodo::Range{-9, 9}, .ratchet = kodo::Real(0.125)});
-    world.add(kodo::FixedJoint{.ends = ends(24), .hertz = 3, .damping = 1});
-    world.add(kodo::PrismaticJoint{.ends = ends(26), .hertz = 2});
-    world.add(kodo::DistanceJoint{.ends = ends(30), .motorSpeed = 1, .motorForce = 3});
-    world.add(kodo::WheelJoint{
-        .ends = ends(31), .hertz = 3, .damping = 1, .motorSpeed = 9, .motorTorque = 1});
-    world.add(kodo::PulleyJoint{ends(33), {0, 9}, {2, 9}, 16, 1});
-    world.add(kodo::GearJoint{.ends = ends(35)});
-    world.add(kodo::GearJoint{.ends = ends(36), .ratio = 1, .rack = kodo::Vec2{1, 0}});
     kodo::JointEnds named = ends(37);
     named.userData = 9;
-    world.add(kodo::FilterJoint{named});
     kodo::JointEnds weak = ends(11);
     weak.breakForce = kodo::Real(0.5);
-    world.add(kodo::RevoluteJoint{weak});
+    const EveryKind<kodo::JointDef> kinds{
+        kodo::RevoluteJoint{ends(0), 0, kodo::Range{-1, 1}, 2, 1},
+        kodo::FixedJoint{ends(2)},
+        kodo::DistanceJoint{ends(4), kodo::Real(0.75), 3, kodo::Real(0.5), kodo::Range{0, 2}},
+        kodo::PrismaticJoint{ends(6), {1, 0}, 0, kodo::Range{-1, 1}, 1, 2},
+        kodo::MotorJoint{ends(8), 0, 1, 1},
+        kodo::MouseJoint{pieces[10], {}, {1, 4}, 3},
+        kodo::RevoluteJoint{.ends = ends(22), .target = 5, .hertz = 1},
+        kodo::RevoluteJoint{
+            .ends = ends(23), .limits = kodo::Range{-9, 9}, .ratchet = kodo::Real(0.125)},
+        kodo::FixedJoint{.ends = ends(24), .hertz = 3, .damping = 1},
+        kodo::PrismaticJoint{.ends = ends(26), .hertz = 2},
+        kodo::DistanceJoint{.ends = ends(30), .motorSpeed = 1, .motorForce = 3},
+        kodo::WheelJoint{
+            .ends = ends(31), .hertz = 3, .damping = 1, .motorSpeed = 9, .motorTorque = 1},
+        kodo::PulleyJoint{ends(33), {0, 9}, {2, 9}, 16, 1},
+        kodo::GearJoint{.ends = ends(35)},
+        kodo::GearJoint{.ends = ends(36), .ratio = 1, .rack = kodo::Vec2{1, 0}},
+        kodo::FilterJoint{named},
+        kodo::RevoluteJoint{weak}};
+    for (const kodo::JointDef& def : kinds.list) {
+        world.add(def);
+    }
 }
 
 /// A World with every feature: heap, compounds, joints, fields, sensor, region.

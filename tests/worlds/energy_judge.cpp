@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <support/every_kind.hpp>
 #include <support/scenes.hpp>
 
 #include <worlds/judges.hpp>
@@ -58,26 +59,33 @@ long double reducedInertia(const World& world, const JointEnds& ends) {
 long double springEnergy(const World& world, JointId id) {
     const JointState state = world.jointState(id);
     const JointDef& def = world.joint(id);
-    Real hertz = 0;
-    Real stretch = 0;
-    Real turn = 0;
-    if (const auto* distance = std::get_if<DistanceJoint>(&def)) {
-        hertz = distance->hertz;
-        stretch = state.length - distance->length;
-    } else if (const auto* slider = std::get_if<PrismaticJoint>(&def)) {
-        hertz = slider->hertz;
-        stretch = state.translation - slider->target;
-    } else if (const auto* wheel = std::get_if<WheelJoint>(&def)) {
-        hertz = wheel->hertz;
-        stretch = state.translation;
-    } else if (const auto* fixed = std::get_if<FixedJoint>(&def)) {
-        hertz = fixed->hertz;
-        stretch = state.length;
-        turn = state.angle;
-    } else if (const auto* revolute = std::get_if<RevoluteJoint>(&def)) {
-        hertz = revolute->hertz;
-        turn = state.angle - revolute->target;
-    }
+    struct Spring {
+        Real hertz = 0;
+        Real stretch = 0; // m
+        Real turn = 0;    // rad
+    };
+    const auto [hertz, stretch, turn] =
+        std::visit(support::Each{[&](const RevoluteJoint& joint) {
+                                     return Spring{joint.hertz, 0, state.angle - joint.target};
+                                 },
+                                 [&](const FixedJoint& joint) {
+                                     return Spring{joint.hertz, state.length, state.angle};
+                                 },
+                                 [&](const DistanceJoint& joint) {
+                                     return Spring{joint.hertz, state.length - joint.length};
+                                 },
+                                 [&](const PrismaticJoint& joint) {
+                                     return Spring{joint.hertz, state.translation - joint.target};
+                                 },
+                                 [&](const WheelJoint& joint) {
+                                     return Spring{joint.hertz, state.translation};
+                                 },
+                                 [](const MotorJoint&) { return Spring{}; },
+                                 [](const MouseJoint&) { return Spring{}; },
+                                 [](const PulleyJoint&) { return Spring{}; },
+                                 [](const GearJoint&) { return Spring{}; },
+                                 [](const FilterJoint&) { return Spring{}; }},
+                   def);
     if (!(hertz > 0)) {
         return 0;
     }
@@ -100,36 +108,36 @@ long double springEnergy(const World& world, JointId id) {
 struct Drive {
     Real force = 0;
     Real torque = 0;
+    Real loadOfA = 1; // load on a of a rope or a gear, as a multiple of that on b; at least 1
 };
 Drive driveOf(const JointDef& def) {
-    if (const auto* joint = std::get_if<RevoluteJoint>(&def)) {
-        return {0, joint->motorSpeed != 0 ? joint->motorTorque : 0};
-    }
-    if (const auto* joint = std::get_if<PrismaticJoint>(&def)) {
-        return {joint->motorSpeed != 0 ? joint->motorForce : 0, 0};
-    }
-    if (const auto* joint = std::get_if<MotorJoint>(&def); joint != nullptr && joint->hertz > 0) {
-        return {joint->force, joint->torque};
-    }
-    if (const auto* joint = std::get_if<DistanceJoint>(&def)) {
-        return {joint->motorSpeed != 0 ? joint->motorForce : 0, 0};
-    }
-    if (const auto* joint = std::get_if<WheelJoint>(&def)) {
-        return {0, joint->motorSpeed != 0 ? joint->motorTorque : 0};
-    }
-    if (const auto* joint = std::get_if<MouseJoint>(&def)) {
-        return {joint->force, 0};
-    }
-    return {};
-}
-
-/// Load on a of a rope or a gear, as a multiple of that on b; at least 1.
-Real loadOfA(const JointDef& def) {
-    if (const auto* pulley = std::get_if<PulleyJoint>(&def)) {
-        return std::max(Real(1), 1 / pulley->ratio);
-    }
-    const auto* gear = std::get_if<GearJoint>(&def);
-    return gear != nullptr ? std::max(Real(1), std::abs(gear->ratio)) : Real(1);
+    const auto motor = [](Real speed, Real most) { return speed != 0 ? most : Real(0); };
+    return std::visit(
+        support::Each{[&](const RevoluteJoint& joint) {
+                          return Drive{0, motor(joint.motorSpeed, joint.motorTorque)};
+                      },
+                      [&](const PrismaticJoint& joint) {
+                          return Drive{motor(joint.motorSpeed, joint.motorForce)};
+                      },
+                      [&](const DistanceJoint& joint) {
+                          return Drive{motor(joint.motorSpeed, joint.motorForce)};
+                      },
+                      [&](const WheelJoint& joint) {
+                          return Drive{0, motor(joint.motorSpeed, joint.motorTorque)};
+                      },
+                      [](const MotorJoint& joint) {
+                          return joint.hertz > 0 ? Drive{joint.force, joint.torque} : Drive{};
+                      },
+                      [](const MouseJoint& joint) { return Drive{joint.force}; },
+                      [](const FixedJoint&) { return Drive{}; },
+                      [](const PulleyJoint& joint) {
+                          return Drive{0, 0, std::max(Real(1), 1 / joint.ratio)};
+                      },
+                      [](const GearJoint& joint) {
+                          return Drive{0, 0, std::max(Real(1), std::abs(joint.ratio))};
+                      },
+                      [](const FilterJoint&) { return Drive{}; }},
+        def);
 }
 
 /// J; bound of the work of a kinematic body, at an anchor within `reach` (m), in a step of dt (s).
@@ -204,10 +212,10 @@ long double EnergyJudge::workOfJoints(const World& world) {
         const Real turned = std::max({std::abs((now.angle * last.angle.inverse()).angle()),
                                       dt_ * std::abs(now.spin), dt_ * std::abs(last.spin)});
         work += wide(drive.force * moved) + wide(drive.torque * turned);
-        const Real times = loadOfA(def);
         for (const BodyId end : {firstBody(def), secondBody(def)}) {
-            work += workOf(world[end], times * length(world.jointForce(id)),
-                           times * world.jointTorque(id), length(now.gap) + kFarAnchor, dt_);
+            work +=
+                workOf(world[end], drive.loadOfA * length(world.jointForce(id)),
+                       drive.loadOfA * world.jointTorque(id), length(now.gap) + kFarAnchor, dt_);
         }
         before_[id] = now;
     }

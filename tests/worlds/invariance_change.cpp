@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <support/every_kind.hpp>
+
 #include <worlds/invariance.hpp>
 
 #include <algorithm>
@@ -13,6 +15,12 @@ namespace {
 constexpr Real kLengthScale = 4;
 constexpr Real kMassScale = 8;
 constexpr Real kHeavyScale = 1e6;
+
+// Below are rules for the members of these kinds of joints.
+static_assert(
+    support::kHasEveryKind<JointDef, RevoluteJoint, FixedJoint, DistanceJoint, PrismaticJoint,
+                           MotorJoint, MouseJoint, WheelJoint, PulleyJoint, GearJoint, FilterJoint>,
+    "give the new joint its rules in mirror() and enlarge()");
 
 // Mirrored shapes. The order of corners and points is reversed, so that the outside stays outside.
 

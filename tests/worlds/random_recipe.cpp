@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <support/every_kind.hpp>
 #include <support/every_shape.hpp>
 
 #include <worlds/recipe.hpp>
@@ -330,7 +331,7 @@ private:
         const Real speed = random_.between(-6, 6);
         const Real force = magnitude(-1, 2);
         const Real hertz = magnitude(-1, 1);
-        const JointDef kinds[] = {
+        const support::EveryKind<JointDef> kinds{
             RevoluteJoint{.ends = ends, .reference = angle},
             RevoluteJoint{.ends = ends, .reference = angle, .limits = Range{low, low + 2}},
             RevoluteJoint{.ends = ends, .motorSpeed = speed, .motorTorque = force},
@@ -363,9 +364,8 @@ private:
             pulleyOf(apart, one, other),
             GearJoint{.ends = ends, .ratio = speed},
             GearJoint{.ends = ends, .ratio = low - 1, .rack = Vec2{1, 0}},
-            filterOf(ends),
-        };
-        recipe_.joints.push_back(kinds[random_.below(std::size(kinds))]);
+            filterOf(ends)};
+        recipe_.joints.push_back(kinds.list[random_.below(kinds.list.size())]);
     }
 
     void addEvents() {

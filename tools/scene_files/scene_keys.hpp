@@ -6,6 +6,7 @@
 #include <array>
 #include <string_view>
 #include <type_traits>
+#include <variant>
 
 // The keys of the file, for reader and writer alike: each list names a key and the member that it
 // holds. `Keys` is one of both.
@@ -18,6 +19,7 @@ inline constexpr std::array<std::string_view, 11> kJointKinds{
     "revolute", "fixed",  "distance", "prismatic", "motor", "mouse",
     "wheel",    "pulley", "gear",     "filter",    "rope"}; // of JointDef; a rope is a distance
 inline constexpr std::size_t kRope = 10;
+static_assert(std::variant_size_v<kodo::JointDef> == kRope, "name the new joint, before the rope");
 inline constexpr std::array<std::string_view, 6> kFieldKinds{
     "own", "gravity", "drag", "wind", "attractor", "buoyancy"}; // of FieldKind
 inline constexpr std::array<std::string_view, 2> kAttractorLaws{"inverse_square", "linear"};
