@@ -27,22 +27,26 @@ std::optional<float> valueOf(const std::string& text, std::string_view name) {
     return std::nullopt;
 }
 
-/// Stiffness of contacts and joints, 1/s; empty: the default of Box2D.
-struct Hertz {
-    std::optional<float> contact{};
-    std::optional<float> joint{};
+/// Stiffness of contacts and joints, 1/s; empty: the default of Box2D. With bullets, fast bodies
+/// stop at those that move too.
+struct Numbers {
+    std::optional<float> contactHertz{};
+    std::optional<float> jointHertz{};
+    std::optional<float> bullets{};
 
-    explicit Hertz(const std::vector<std::string>& set) {
+    explicit Numbers(const std::vector<std::string>& set) {
         for (const std::string& text : set) {
-            const auto ofContact = valueOf(text, "contactHertz=");
-            const auto ofJoint = valueOf(text, "jointHertz=");
-            if (!ofContact && !ofJoint) {
+            const auto contact = valueOf(text, "contactHertz=");
+            const auto joint = valueOf(text, "jointHertz=");
+            const auto bullet = valueOf(text, "bullets=");
+            if (!contact && !joint && !bullet) {
                 throw WrongUse("'" + text +
-                               "' is not contactHertz=NUMBER or jointHertz=NUMBER, "
+                               "' is not contactHertz=NUMBER, jointHertz=NUMBER or bullets=1, "
                                "up to 1e4, for Box2D 3");
             }
-            contact = ofContact ? ofContact : contact;
-            joint = ofJoint ? ofJoint : joint;
+            contactHertz = contact ? contact : contactHertz;
+            jointHertz = joint ? joint : jointHertz;
+            bullets = bullet ? bullet : bullets;
         }
     }
 };
@@ -50,19 +54,20 @@ struct Hertz {
 class Box2d3Engine final : public Engine {
 public:
     Box2d3Engine(const scenes::SceneDef& scene, const StepOptions& options)
-        : substeps_(options.substeps.value_or(kSubsteps)), events_(options.events) {
+        : substeps_(options.substeps.value_or(kSubsteps)),
+          events_(options.events),
+          numbers_(options.set) {
         refuse(options);
         box2d3::b2SetLogFcn([](const char*) {}); // its warnings go to stdout, within the step
         box2d3::b2WorldDef def = scenes::v3::worldOf(scene.gravity);
         def.enableSleep = options.rest;
-        const Hertz hertz(options.set);
-        def.contactHertz = hertz.contact.value_or(def.contactHertz);
+        def.contactHertz = numbers_.contactHertz.value_or(def.contactHertz);
         world_ = box2d3::b2CreateWorld(&def);
         for (const scenes::BodyDef& body : scene.bodies) {
-            bodies_.push_back(scenes::v3::addToBox2d(world_, body, events_));
+            add(body);
         }
         for (const scenes::RevoluteJointDef& joint : scene.joints) {
-            scenes::v3::addToBox2d(world_, joint, scene, bodies_, hertz.joint);
+            scenes::v3::addToBox2d(world_, joint, scene, bodies_, numbers_.jointHertz);
         }
     }
     ~Box2d3Engine() override { box2d3::b2DestroyWorld(world_); }
@@ -79,12 +84,20 @@ public:
                 static_cast<double>(box2d3::b2Body_GetAngularVelocity(bodies_[body]))};
     }
 
-    void add(const scenes::BodyDef& body) override {
+    void add(const scenes::BodyDef& body) final {
         bodies_.push_back(scenes::v3::addToBox2d(world_, body, events_));
+        if (numbers_.bullets) {
+            box2d3::b2Body_SetBullet(bodies_.back(), true);
+        }
     }
     void remove(std::size_t body) override {
         box2d3::b2DestroyBody(bodies_[body]);
         bodies_[body] = {};
+    }
+
+    void reload() override {
+        const std::vector<std::uint8_t> bytes = snapshot();
+        box2d3::b2World_Restore(world_, bytes.data(), static_cast<int>(bytes.size()));
     }
 
     void place(std::size_t body, scenes::Vec2 position) override {
@@ -164,16 +177,17 @@ public:
     }
 
     SnapshotWork snapshotWork() const override {
-        return {[this] {
-                    const int size = box2d3::b2World_Snapshot(world_, nullptr, 0);
-                    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
-                    box2d3::b2World_Snapshot(world_, bytes.data(), size);
-                    return bytes.size();
-                },
-                {}};
+        return {[this] { return snapshot().size(); }, {}};
     }
 
 private:
+    std::vector<std::uint8_t> snapshot() const {
+        const int size = box2d3::b2World_Snapshot(world_, nullptr, 0);
+        std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
+        box2d3::b2World_Snapshot(world_, bytes.data(), size);
+        return bytes;
+    }
+
     static scenes::Vec2 wide(box2d3::b2Vec2 v) {
         return {static_cast<double>(v.x), static_cast<double>(v.y)};
     }
@@ -203,7 +217,8 @@ private:
     static void refuse(const StepOptions& options) {
         if (options.profile || options.passes || options.positionPasses ||
             !options.leaveOut.empty() || options.threads != 1) {
-            throw WrongUse("Box2D 3 takes substeps, contactHertz and jointHertz, and nothing else");
+            throw WrongUse(
+                "Box2D 3 takes substeps, contactHertz, jointHertz and bullets, and nothing else");
         }
         if (box2d3::b2IsDoublePrecision()) { // positions have another type
             throw WrongUse("Box2D 3 must be built without BOX2D_DOUBLE_PRECISION");
@@ -212,6 +227,7 @@ private:
 
     int substeps_;
     bool events_;
+    Numbers numbers_;
     box2d3::b2WorldId world_{};
     std::vector<box2d3::b2BodyId> bodies_;                // index1 is 0: removed
     mutable std::vector<box2d3::b2ContactData> contacts_; // scratch

@@ -29,7 +29,7 @@ struct StepOptions {
     std::optional<std::string> profile{}; // of Kodo, see profileNames(); kBalanced unless given
     std::optional<int> substeps{};
     std::vector<std::string> set{};      // values of Kodo's StepSettings, such as
-                                         // "contactHertz=120", the only one of Box2D 3
+                                         // "contactHertz=120"; Box2D 3 has three
     std::vector<std::string> leaveOut{}; // features of Kodo, see featureNames()
     std::optional<int> passes{};         // velocity iterations of Box2D
     std::optional<int> positionPasses{}; // position iterations of Box2D
@@ -98,6 +98,8 @@ public:
     /// Sizes of the engine's own types. Empty if the engine provides none.
     virtual std::optional<ContactBytes> contactBytes() const { return std::nullopt; }
     virtual SnapshotWork snapshotWork() const { return {}; }
+    /// Continues from its own bytes, as after a load. Nothing where an engine has no such call.
+    virtual void reload() {}
     /// Stages since the creation of the scene. Empty if the engine provides none.
     virtual std::vector<StageTime> stages() const { return {}; }
 };

@@ -236,6 +236,8 @@ public:
     }
     void remove(std::size_t body) override { scene_.world.remove(scene_.ids[body]); }
 
+    void reload() override { scene_.world = kodo::fromBytes(kodo::toBytes(scene_.world)); }
+
     void place(std::size_t body, scenes::Vec2 position) override {
         kodo::BodyRef ref = scene_.world[scene_.ids[body]];
         ref.setPosition(scenes::toKodo(position));

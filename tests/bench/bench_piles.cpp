@@ -154,4 +154,27 @@ Scene shots(int size, std::uint64_t seed) {
     return scene;
 }
 
+/// Small balls of 0.1 m fill a container; the large ones fall on them.
+Scene unlike(int size, std::uint64_t seed) {
+    constexpr double kSmall = 0.1; // m
+    constexpr double kPitch = 2.2 * kSmall;
+    constexpr int kCount = 2000;
+    constexpr int kLarge = 20;
+    Dice dice(seed);
+    const double large = kSmall * size;
+    const double width = std::max(20.0, 9 * large);
+    const double top = 1 + kCount * kPitch * kPitch / (width - 1); // of the small ones
+    const double high = top + 12 * large;
+    Scene scene = dropped("unlike", width, kPitch, kCount, dice,
+                          [](int) { return scenes::ball(kSmall, {}); });
+    scene.def.bodies[1] = wall(1, high, {-(width + 1) / 2, high / 2});
+    scene.def.bodies[2] = wall(1, high, {(width + 1) / 2, high / 2});
+    for (int i = 0; i < kLarge; ++i) {
+        scene.def.bodies.push_back(
+            scenes::ball(large, {2.1 * large * (i % 4 - 1.5), top + large * (1 + 2.1 * (i / 4))}));
+    }
+    scene.region = Region{{-width / 2, 0}, {width / 2, 2 * high}};
+    return scene;
+}
+
 } // namespace bench

@@ -86,6 +86,9 @@ public:
                 allocations_ += allocationCount() - allocations;
             }
             if (!scene_.stepIsTimed) {
+                if (scene_.prepare) {
+                    scene_.prepare(stage_);
+                }
                 start();
             }
             if (scene_.actIsTimed) {

@@ -50,6 +50,8 @@ struct Scene {
     bool stands = false;    // all bodies should keep their places
     bool events = false;    // the engine lists begins, ends and hits of contacts
     std::function<void(Stage&, int steps)> act{};
+    /// Called before each measured time of a scene whose steps are not timed.
+    std::function<void(Stage&)> prepare{};
     std::optional<Region> region{};
     std::optional<Error> error{};
 };
@@ -81,6 +83,7 @@ Scene stack(int size, std::uint64_t seed);
 Scene massRatio(int size, std::uint64_t seed);
 Scene asleep(int size, std::uint64_t seed);
 Scene shots(int size, std::uint64_t seed);
+Scene unlike(int size, std::uint64_t seed);
 // bench_machines.cpp
 Scene tumbler(int size, std::uint64_t seed);
 Scene breakout(int size, std::uint64_t seed);
@@ -128,6 +131,8 @@ Scene stream(int size, std::uint64_t seed);
 Scene cleared(int size, std::uint64_t seed);
 Scene woken(int size, std::uint64_t seed);
 Scene explosion(int size, std::uint64_t seed);
+Scene fracture(int size, std::uint64_t seed);
+Scene loaded(int size, std::uint64_t seed);
 // bench_laws.cpp
 Scene forces(int size, std::uint64_t seed);
 Scene slide(int size, std::uint64_t seed);

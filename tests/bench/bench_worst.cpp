@@ -2,6 +2,7 @@
 // Single steps that cost more than others: arrivals, removals and wake-ups of many bodies at once.
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "bench_scenes.hpp"
 
@@ -99,6 +100,63 @@ Scene explosion(int size, std::uint64_t) {
             }
         }
     };
+    return scene;
+}
+
+/// The blocks of a wall break in random order into five boxes: four around one in the middle.
+Scene fracture(int size, std::uint64_t seed) {
+    constexpr int kWide = 40;
+    constexpr int kAtOnce = 20;
+    constexpr double kLong = 0.6; // m, of a piece at the edge
+    constexpr double kShort = 0.4;
+    Scene scene;
+    scene.def = {"fracture", scenes::kDown, {scenes::ground(400)}};
+    addBricks(scene.def, size, kWide);
+    scene.every = 1;
+    scene.actIsTimed = true;
+    scene.worstStep = true;
+    const auto whole = std::make_shared<std::vector<std::size_t>>();
+    for (std::size_t i = 1; i < scene.def.bodies.size(); ++i) {
+        whole->push_back(i);
+    }
+    const auto dice = std::make_shared<scenes::Dice>(seed);
+    scene.act = [=](Stage& stage, int) {
+        for (int i = 0; i < kAtOnce && !whole->empty(); ++i) {
+            std::swap((*whole)[dice->below(whole->size())], whole->back());
+            const BodyState block = stage.engine().state(whole->back());
+            stage.remove(whole->back());
+            whole->pop_back();
+            const auto add = [&](double width, double height, Vec2 place) {
+                scenes::BodyDef piece =
+                    scenes::box(width, height, block.position + block.rotation * place);
+                piece.rotation = block.rotation;
+                piece.velocity = block.velocity + block.spin * Vec2{-place.y, place.x};
+                piece.spin = block.spin;
+                stage.add(piece);
+            };
+            const double reach = (1 - kShort) / 2;
+            const double aside = (1 - kLong) / 2;
+            add(kLong - kShort, kLong - kShort, {0, 0});
+            add(kLong, kShort, {-aside, -reach});
+            add(kShort, kLong, {reach, -aside});
+            add(kLong, kShort, {aside, reach});
+            add(kShort, kLong, {-reach, aside});
+        }
+    };
+    return scene;
+}
+
+/// Boxes on shelves continue from bytes; then a ray is cast through them.
+Scene loaded(int size, std::uint64_t seed) {
+    Scene scene = asleep(size, seed);
+    scene.def.name = "loaded";
+    scene.every = 1;
+    scene.stepIsTimed = false;
+    scene.actIsTimed = true;
+    scene.worstStep = true;
+    scene.prepare = [](Stage& stage) { stage.engine().reload(); };
+    const auto sum = std::make_shared<double>(0); // no compiler removes the ray
+    scene.act = [=](Stage& stage, int) { *sum += stage.engine().rayCast({-50, 1.5}, {50, 1.6}); };
     return scene;
 }
 

@@ -41,8 +41,8 @@ void addOptions(CLI::App& app, Options& options) {
         ->check(CLI::Range(0, 1000));
     app.add_option(
            "--set", step.set,
-           "Other numbers of Kodo's settings: contactHertz=120,...; of Box2D 3: contactHertz "
-           "and jointHertz")
+           "Other numbers of Kodo's settings: contactHertz=120,...; of Box2D 3: contactHertz, "
+           "jointHertz and bullets=1")
         ->delimiter(',');
     app.add_option("--leave-out", step.leaveOut, "Features that Kodo omits, separated by commas")
         ->delimiter(',')

@@ -75,6 +75,14 @@ LOADS = [
     Wanted("shards", 500),
     Wanted("smash", 500),
     Wanted("crowdpoint", 100),
+    Wanted("unlike", 10),
+    Wanted("unlike", 100),
+    Wanted("fracture", 2000),
+    Wanted("woken", 10000),
+    Wanted("explosion", 3000),
+    Wanted("stream", 100),
+    Wanted("cleared", 10000),
+    Wanted("loaded", 10000),
 ]
 PROFILES = ("balanced", "fast", "accurate", "thesis2006")
 # 1, 4 and 16 times the bodies, and 100,000. Heaps grow in width, pyramids in height.
