@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Checks the table of mechanisms in engine/README.md: each file of the folders in it has one row, and
-its lines of code are right to a fifth. mechanisms.py --write counts the lines again."""
+its lines of code are right to a fifth. Also counts what one must know to change the contact pass.
+mechanisms.py --write counts the lines again."""
 import pathlib
 import re
 import sys
@@ -15,6 +16,8 @@ HEAD = "## Mechanisms\n"
 FOLDER = re.compile(r"\*\*([\w/]+)\*\*")
 FILE = re.compile(r"`(\w+)`")
 COUNT = 3  # cell of the lines
+KNOW = "To change the contact pass, one must know:\n"
+MOST_TO_KNOW = 20
 
 
 def lines_by_file(folder):
@@ -69,6 +72,15 @@ class Table:
         return "|" + "|".join(cells) + "|"
 
 
+def faults_of_list(page):
+    """The numbered list of what one must know is there, in order and not too long."""
+    items = re.findall(r"^(\d+)\. ", page.partition(KNOW)[2].partition("\n## ")[0], re.MULTILINE)
+    if not items or [int(item) for item in items] != list(range(1, len(items) + 1)):
+        return ["the list of what one must know to change the contact pass is not numbered in order"]
+    few = len(items) <= MOST_TO_KNOW
+    return [] if few else [f"{len(items)} things to know to change the contact pass, not {MOST_TO_KNOW}"]
+
+
 def main():
     """Prints the faults; exit code 1 if there are any."""
     before, head, rest = PAGE.read_text(encoding="utf-8").partition(HEAD)
@@ -76,6 +88,7 @@ def main():
     table = Table()
     counted = "\n".join(table.row(line) for line in body.split("\n"))
     table.leave()
+    table.faults += faults_of_list(before)
     if "--write" in sys.argv:
         PAGE.write_text(before + head + counted + mark + after, encoding="utf-8")
     for fault in sorted(table.faults):
