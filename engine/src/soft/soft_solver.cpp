@@ -25,6 +25,7 @@ constexpr Real kCarriesNothing = 64;
 } // namespace
 
 void SoftSolver::makeRoom(const Bodies& bodies) {
+    impacts_.makeRoom(bodies);
     resizeByBody(exposure_, bodies);
     resizeByBody(near_, bodies);
     resizeByBody(touched_, bodies);
@@ -128,6 +129,7 @@ void SoftSolver::moveKinematic(Bodies& bodies, Real dt) {
 }
 
 void SoftSolver::solve(const StepInput& step) {
+    impacts_.solve(step);
     Bodies& bodies = step.bodies;
     ContactSet& contactSet = step.contactSet;
     if (step.joints.awakeCount() == 0 &&

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "impacts/departure.hpp"
+#include "impacts/impact_solver.hpp"
 #include "lanes/block_partitions.hpp"
 #include "lanes/contact_blocks.hpp"
 #include "soft/load_release.hpp"
@@ -20,11 +21,11 @@
 namespace kodo {
 inline namespace KODO_PRECISION {
 
-/// Contacts and joints in substeps [Catto24]. Each substep integrates the forces and warm starts
-/// with the impulses of the substep before. A biased pass separates overlaps as soft contacts, and
-/// the bodies move. A relax pass without bias then removes the velocity that the bias added; deep
-/// overlaps get more relax passes. Large mass ratios and very large forces divide the substeps of
-/// their islands further; see Refinement.
+/// Impacts, then contacts and joints in substeps [Catto24]. Each substep integrates the forces and
+/// warm starts with the impulses of the substep before. A biased pass separates overlaps as soft
+/// contacts, and the bodies move. A relax pass without bias then removes the velocity that the bias
+/// added; deep overlaps get more relax passes. Large mass ratios and very large forces divide the
+/// substeps of their islands further; see Refinement.
 ///
 ///   lambda = -m (s v_n + bias) - c lambda_sum,  lambda_sum >= 0;  |friction| <= mu lambda_sum
 ///
@@ -100,6 +101,7 @@ private:
     void addPhase(Substeps& run, const Phase& phase);
     void runPhases(Substeps& run);
 
+    ImpactSolver impacts_;
     Refinement refinement_;
     std::array<Group, Refinement::kLevels> groups_; // by level
     RevoluteBlocks revolutes_;

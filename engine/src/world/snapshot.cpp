@@ -43,8 +43,8 @@ void header(StateStream& stream) {
 
 void WorldImpl::visitState(StateStream& stream, OwnFields ownFields) {
     auto& [guard, settings, tolerances, stepCount, count, roomFor, bodies, flagBlocks, fields,
-           contacts, impacts, softSolver, propagation, work, changeVisits, continuous, sleep,
-           joints, broken, frozen, region, lastGeometry] = *this;
+           contacts, softSolver, propagation, work, changeVisits, continuous, sleep, joints, broken,
+           frozen, region, lastGeometry] = *this;
     // Left out is what the next step computes before use: solvers, continuous collision, caches.
     kodo::visitState(stream, settings);
     kodo::visitState(stream, tolerances);

@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "continuous/continuous_collision.hpp"
-#include "impacts/impact_solver.hpp"
 #include "propagation/propagation.hpp"
 #include "sleep/sleep_system.hpp"
 #include "soft/soft_solver.hpp"
@@ -119,7 +118,6 @@ private:
     FlagBlocks flagBlocks_; // of bodies_
     std::vector<FieldEntry> fields_;
     ContactSet contacts_;
-    ImpactSolver impacts_;
     SoftSolver softSolver_;
     Propagation propagation_;
     StepStats work_;                 // of the solver, in the last step

@@ -68,12 +68,7 @@ void WorldStep::makeRoom() {
     }
     world_.roomFor_ = bodies.size();
     contactSet.makeRoom(bodies);
-    if (std::holds_alternative<PropagationSettings>(settings.solver)) {
-        world_.propagation_.makeRoom(bodies);
-    } else {
-        world_.impacts_.makeRoom(bodies);
-        world_.softSolver_.makeRoom(bodies);
-    }
+    std::visit([&](const auto& own) { solverOf(own).makeRoom(bodies); }, settings.solver);
     if (settings.has(Feature::ContinuousCollision)) {
         world_.continuous_.makeRoom(bodies);
     }
@@ -156,12 +151,7 @@ void WorldStep::forAwake(void (*move)(Bodies&, std::span<const std::uint32_t>)) 
 
 void WorldStep::solve() {
     work = {};
-    if (std::holds_alternative<PropagationSettings>(settings.solver)) {
-        world_.propagation_.solve(*this);
-        return;
-    }
-    world_.impacts_.solve(*this);
-    world_.softSolver_.solve(*this);
+    std::visit([&](const auto& own) { solverOf(own).solve(*this); }, settings.solver);
 }
 
 void WorldStep::freezeUnsoundForces() {

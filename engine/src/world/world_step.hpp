@@ -21,6 +21,9 @@ private:
     bool updateAwake();
     void gatherForces();
     void solve();
+    // A solver that is left out does not compile.
+    SoftSolver& solverOf(const SoftSettings&) { return world_.softSolver_; }
+    Propagation& solverOf(const PropagationSettings&) { return world_.propagation_; }
     void runContinuous();
     void finishMoves();
     void recordCollisions();
