@@ -29,6 +29,17 @@ TEST(RaySpans, LeaveADiscAtTheSecondRoot) {
 }
 
 // The sum of the spans in boxes side by side is the way through all of them.
+TEST(RaySpans, EndWithoutNormalWhereTheRayEndsWithin) {
+    World world;
+    world.add({.shape = Circle{1}});
+    const auto spans = raySpans(world, {-3, 0}, {0, 0});
+    ASSERT_EQ(spans.size(), 1u);
+    EXPECT_EQ(spans[0].entry.normal, (Vec2{-1, 0}));
+    EXPECT_EQ(spans[0].exitFraction, 1);
+    EXPECT_EQ(spans[0].exitPoint, Vec2{});
+    EXPECT_EQ(spans[0].exitNormal, Vec2{});
+}
+
 TEST(RaySpans, OfFlushBoxesJoin) {
     World world;
     for (int i = 0; i < 10; ++i) {

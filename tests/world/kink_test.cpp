@@ -136,6 +136,34 @@ TEST(Kink, ABoxSlidesOverIt) {
     }
 }
 
+// A plank from level ground to the upper end of a ramp bridges the kink: it rests on both.
+TEST(Kink, APlankThatBridgesItStays) {
+    for (const support::Solver solver : support::kSolvers) {
+        for (const int rate : {30, 60, 240}) {
+            World world({.gravity = kEarth, .settings = support::settingsOf(solver)});
+            const Material rough = withFriction(1, 0);
+            world.add({.shape = Polygon{{{-10, -1}, {0, -1}, {0, 0}, {-10, 0}}},
+                       .material = rough,
+                       .type = BodyType::Static});
+            world.add({.shape = Polygon{{{0, 0}, {0, -1}, {4, -1}, {4, 1}}},
+                       .material = rough,
+                       .type = BodyType::Static});
+            const Vec2 low{Real(-3.9), 0};
+            const Vec2 high{Real(4.2), Real(8.1) / Real(7.9)}; // on the line from low to (4, 1)
+            const Vec2 along = normalize(high - low);
+            BodyDef def = support::boxDef(Real(0.5) * (low + high) + Real(0.05) * perp(along),
+                                          length(high - low), Real(0.1));
+            def.rotation = Rot{along.x, along.y};
+            def.material = rough;
+            const BodyId plank = world.add(def);
+            support::run(world, 3 * rate, Real(1) / static_cast<Real>(rate));
+            EXPECT_NEAR(world[plank].position().x, def.position.x, 0.02) << rate;
+            EXPECT_NEAR(world[plank].position().y, def.position.y, 0.02) << rate;
+            EXPECT_NEAR(world[plank].rotation().s, def.rotation.s, 0.01) << rate;
+        }
+    }
+}
+
 // A real wall and a real step still stop what runs into them.
 TEST(Kink, AWallStopsWhatRunsIntoIt) {
     for (const support::Solver solver : support::kSolvers) {
