@@ -11,7 +11,6 @@
 namespace {
 
 using namespace apart;
-using kodo::Real;
 using kodo::Vec2;
 
 /// Two towers, of brick and of wood, and their ways: of any block by bank, of brick, of wood.
@@ -56,8 +55,8 @@ strikes = "w"
 }
 
 /// The ways after a shot in the game of seed 1.
-std::uint32_t waysAfter(Vec2 from, Vec2 velocity, const std::string& more = "") {
-    Game game(levelFrom(towers() + more), 1);
+std::uint32_t waysAfter(Vec2 from, Vec2 velocity) {
+    Game game(levelFrom(towers()), 1);
     playOn(game, 60);
     GameTestAccess::countHit(game);
     GameTestAccess::shoot(game, from, velocity);
@@ -79,19 +78,6 @@ TEST(WayWatch, TellsTheBlockThatWasStruckBeforeTheFall) {
 TEST(WayWatch, TellsABankBeforeTheFirstBlock) {
     EXPECT_EQ(waysAfter({8, 10}, {16, 0}), 0b011u) << "off the wall at the right";
     EXPECT_EQ(waysAfter({-8, 10}, {-16, 0}), 0b101u);
-}
-
-// A wall between two blocks is no bank: it does not count after the first one.
-TEST(WayWatch, TellsNoBankBetweenTwoBlocks) {
-    const std::string steel = R"([legend.X]
-stuff = "steel"
-[[block]]
-kind = "X"
-x = 9000
-y = 15000
-)";
-    // Off the bottom of the steel, off the wall at the right, and into the bricks.
-    EXPECT_EQ(waysAfter({Real(8.2), 14}, {15, Real(6.4)}, steel), 0b010u);
 }
 
 TEST(WayWatch, WaysAreReadAndWrittenAndChangeNoDigest) {
