@@ -119,7 +119,7 @@ bool closes(const Bodies& bodies, const ContactSet& contactSet, std::uint32_t sl
     const bool mayBeThrough =
         motion > far && motion >= (extentA.coreRadius + extentB.coreRadius) / 2;
     return (gap > tolerances.slop || mayBeThrough ||
-            (summary.bounces && isUnheld(bodies, contactSet, slot, tolerances.slop))) &&
+            isUnheld(bodies, contactSet, slot, tolerances.slop)) &&
            mayMeet(bodies, bounds, summary, tolerances);
 }
 
@@ -261,8 +261,8 @@ void ContinuousCollision::findTime(const Step& step, std::uint32_t i, Real from)
     const Real motion = motionOf(step.bodies, contact);
     const Real gap = gapOf(step.bodies, step.contactSet, i, step.tolerances);
     const Real slop = step.tolerances.slop;
-    const bool unheld = gap <= slop && gap > -slop / 2 && step.settings.has(Feature::Restitution) &&
-                        isUnheld(step.bodies, step.contactSet, i, slop);
+    const bool unheld =
+        gap <= slop && gap > -slop / 2 && isUnheld(step.bodies, step.contactSet, i, slop);
     const auto timeFrom = [&](Real apart, std::optional<Real> departure) {
         const auto target = unheld && !departure
                                 ? std::optional(-slop)

@@ -83,7 +83,10 @@ bool isUnheld(const Bodies& bodies, const ContactSet& contactSet, std::uint32_t 
     const Contact& contact = contactSet.contacts()[slot];
     const Real turns = bodies.extent[contact.key.bodyA].rotationReach +
                        bodies.extent[contact.key.bodyB].rotationReach; // else no other point comes
-    if (!contact.bounces || contactSet.store().read(slot).expired() || turns == 0) {
+    if (contactSet.store().read(slot).expired()) {
+        return contact.manifold.count == 0; // removePassing() did not know of a third body
+    }
+    if (!contact.bounces || turns == 0) {
         return false;
     }
     const auto& impulse = contactSet.store().numbers(slot).impulse;

@@ -28,8 +28,8 @@ Real motionAgainst(const Bodies& bodies, Vec2 normal, const MovingBody& movingA,
 Real gapOf(const Bodies& bodies, const ContactSet& contactSet, std::uint32_t slot,
            const Tolerances& tolerances);
 
-/// True for a touching pair with restitution that the solver did not hold, and that may touch at
-/// another point; see Departure::BetweenImpacts.
+/// True for a touching pair that the solver did not hold: with restitution, since it may touch at
+/// another point (Departure::BetweenImpacts), or since it seemed to pass (removePassing()).
 bool isUnheld(const Bodies& bodies, const ContactSet& contactSet, std::uint32_t slot, Real slop);
 /// Fraction of the step after which the touching points of such a pair have left, by twice `near`
 /// (m). No value if they do not leave.

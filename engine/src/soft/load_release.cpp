@@ -73,27 +73,31 @@ void LoadRelease::addKicked(std::uint32_t body) {
     }
 }
 
-/// Finds the velocity change of a body by each of its contacts.
-void LoadRelease::findGains(const StepInput& inputs, std::uint32_t body) {
+/// Lists the contacts of a body in the passes, in the order of keys: sums depend on it.
+void LoadRelease::listContacts(const StepInput& inputs, std::uint32_t body) {
     slots_.clear();
-    gains_.clear();
-    const std::span<const ContactSummary> summaries = inputs.contactSet.summaries();
-    const Real deepest = -kDeep * inputs.tolerances.slop;
-    bool wedged = false;
     inputs.contactSet.store().lists().forEach(body, [&](std::uint32_t slot) {
-        if (summaries[slot].inPasses()) {
+        if (inputs.contactSet.summaries()[slot].inPasses()) {
             slots_.push_back(slot);
-            wedged = wedged || inputs.contactSet.store().separation(slot) < deepest;
         }
     });
-    if (wedged) {
+    inputs.contactSet.store().sortByKey(slots_);
+}
+
+/// Finds the velocity change of a body by each of its contacts.
+void LoadRelease::findGains(const StepInput& inputs, std::uint32_t body) {
+    listContacts(inputs, body);
+    gains_.clear();
+    const Real deepest = -kDeep * inputs.tolerances.slop;
+    if (std::any_of(slots_.begin(), slots_.end(), [&](std::uint32_t slot) {
+            return inputs.contactSet.store().separation(slot) < deepest;
+        })) {
         return;
     }
-    inputs.contactSet.store().sortByKey(slots_); // sums depend on the order
     BodyVelocity& motion = inputs.bodies.motion[body];
     const BodyVelocity kept = motion;
     for (const std::uint32_t slot : slots_) {
-        const ContactSummary& summary = summaries[slot];
+        const ContactSummary& summary = inputs.contactSet.summaries()[slot];
         BodyVelocity& other =
             inputs.bodies.motion[summary.bodyA == body ? summary.bodyB : summary.bodyA];
         const BodyVelocity otherKept = other;
@@ -163,13 +167,7 @@ Real LoadRelease::separatingSpeed(const Bodies& bodies, const ContactLanes::Plac
 
 /// Takes back the impulses of contacts that separate too fast to carry anything.
 void LoadRelease::releaseSeparating(const StepInput& inputs, std::uint32_t body, Real h) {
-    slots_.clear();
-    inputs.contactSet.store().lists().forEach(body, [&](std::uint32_t slot) {
-        if (inputs.contactSet.summaries()[slot].inPasses()) {
-            slots_.push_back(slot);
-        }
-    });
-    inputs.contactSet.store().sortByKey(slots_); // sums depend on the order
+    listContacts(inputs, body);
     for (const std::uint32_t slot : slots_) {
         const ContactSummary& summary = inputs.contactSet.summaries()[slot];
         const ContactLanes::Place lane = inputs.contactSet.lanes().placeOf(summary.row.index);
@@ -199,9 +197,6 @@ void LoadRelease::run(const StepInput& inputs, std::span<const std::uint32_t> li
     std::copy_if(list.begin(), list.end(), std::back_inserter(changed_), [&](std::uint32_t body) {
         return bodies.record[body].lostLoad != 0 && bodies.motion[body].invMass > 0;
     });
-    if (changed_.empty()) {
-        return;
-    }
     before_ = before;
     queue_.clear();
     for (std::size_t i = 0, count = changed_.size(); i < count; ++i) {

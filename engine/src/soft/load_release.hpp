@@ -59,6 +59,7 @@ private:
     void releaseSeparating(const StepInput& inputs, std::uint32_t body, Real h);
     void addKicked(std::uint32_t body);
     void release(const StepInput& inputs, std::uint32_t body, Real h);
+    void listContacts(const StepInput& inputs, std::uint32_t body);
     void findGains(const StepInput& inputs, std::uint32_t body);
 
     std::span<const Velocity> before_;
