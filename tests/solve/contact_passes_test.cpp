@@ -175,7 +175,7 @@ TEST(ContactPasses, SumsStartInTheFirstSubstep) {
     for (ContactBlock& block : blocks.blocks) {
         for (std::size_t lane = 0; lane < kContacts; ++lane) {
             block.points[0].largest[lane] = block.points[1].largest[lane] = Real(1e6);
-            block.total[lane] = Real(-1e6);
+            block.total[0][lane] = Real(-1e6);
         }
     }
     const ContactPasses& passes = ContactPasses::best();
@@ -192,7 +192,7 @@ TEST(ContactPasses, SumsStartInTheFirstSubstep) {
                 return block.points[0].impulse[lane] + block.points[1].impulse[lane];
             };
             const Real total = sumOf(first[i]) + sumOf(blocks.blocks[i]);
-            EXPECT_EQ(blocks.blocks[i].total[lane], total) << "block " << i << ", " << lane;
+            EXPECT_EQ(blocks.blocks[i].total[0][lane], total) << "block " << i << ", " << lane;
             for (std::size_t k = 0; k < (blocks.use[i].twoPoints ? 2u : 1u); ++k) {
                 EXPECT_EQ(blocks.blocks[i].points[k].largest[lane],
                           std::max(first[i].points[k].impulse[lane],
