@@ -136,5 +136,18 @@ TEST(ReplayLink, ADamagedLinkIsRefusedOrPlaysTheSameGame) {
     }
 }
 
+TEST(ReplayLink, WhatFollowsItsEndIsRefused) {
+    const ReplayRun run = {played("arch", 600, BotKind::Clumsy)};
+    const std::string link = linkOf(run);
+    for (const char* junk : {"A", "AA", "AAAA", "B", "zz", "junk"}) {
+        EXPECT_TRUE(std::holds_alternative<FileProblem>(runOfLink(link + junk))) << junk;
+    }
+    const std::string bytes = packed(run);
+    EXPECT_TRUE(std::holds_alternative<ReplayRun>(unpacked(bytes, "x")));
+    for (const std::string& junk : {std::string(1, '\0'), std::string("\n"), bytes}) {
+        EXPECT_TRUE(std::holds_alternative<FileProblem>(unpacked(bytes + junk, "x")));
+    }
+}
+
 } // namespace
 } // namespace apart

@@ -353,6 +353,7 @@ TEST(Building, AfterEachTickAllLinksExist) {
 TEST(Building, APullCatchesAFallenBlock) {
     Game game(columns(), 1);
     playOn(game, 60);
+    GameTestAccess::countHit(game);
     GameTestAccess::letGo(game, 0);
     kodo::World& world = GameTestAccess::world(game);
     world[game.blocks()[0].body].setPosition({-1, 4});

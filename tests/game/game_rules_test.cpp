@@ -290,6 +290,7 @@ TEST(Lives, EndTheGameWhenNoneIsLeft) {
 
 TEST(Lives, AreWorthPointsWhenTheLastBlockBreaks) {
     Game game(levelOf(emptyRows(5) + ".......g.......\n" + emptyRows(2) + "X..............\n"), 1);
+    GameTestAccess::countHit(game);
     GameTestAccess::shoot(game, {0, kUnderside - Real(0.6)}, {0, 12});
     const auto cleared = playUntil<Cleared>(game, {}, 30);
     ASSERT_TRUE(cleared);
@@ -300,6 +301,7 @@ TEST(Lives, AreWorthPointsWhenTheLastBlockBreaks) {
 
 TEST(Combo, GrowsWithEachBlockUntilThePaddleIsHit) {
     Game game(levelOf("g.............g\n" + emptyRows(4) + ".....b...b.....\n"), 1);
+    GameTestAccess::countHit(game);
     GameTestAccess::breakBlock(game, 2, {0, 24});
     const std::int32_t first = game.score();
     GameTestAccess::breakBlock(game, 2, {0, 24});
@@ -315,6 +317,7 @@ TEST(Combo, GrowsWithEachBlockUntilThePaddleIsHit) {
 // Regression: a new ball continued the combo of the lost one.
 TEST(Combo, EndsWhenALifeIsLost) {
     Game game(levelOf(kBrick), 1);
+    GameTestAccess::countHit(game);
     GameTestAccess::breakBlock(game, 1, {0, 24});
     ASSERT_EQ(game.counts().combo, 1);
     GameTestAccess::shoot(game, {8, 1}, {0, -12});

@@ -128,6 +128,7 @@ TEST(Ledger, BalancesIfPiecesOnlyGrazeEachOther) {
         for (std::uint32_t seed = 1; seed <= 40 && !HasFailure(); ++seed) {
             SCOPED_TRACE("seed " + std::to_string(seed));
             Game game(levelOf("g..............\n" + emptyRows(4) + ".......b.......\n"), seed);
+            GameTestAccess::countHit(game);
             const Vec2 block = game.world()[game.blocks()[1].body].position();
             GameTestAccess::breakBlock(game, 1, {0, 24});
             for (int tick = 0; tick < 30; ++tick) {

@@ -105,6 +105,35 @@ TEST(Lint, ALevelThatTheBotCannotFinishInTimeFails) {
     EXPECT_EQ(report.problems.size(), 2u);
 }
 
+/// A block on a ledge with `more` tables.
+Level oneOnALedge(const std::string& more) {
+    return levelFrom("format = 1\ntitle = \"t\"\nidea = \"i\"\n[legend.b]\nstuff = \"brick\"\n"
+                     "hold = \"standing\"\n[legend.w]\nstuff = \"wood\"\nhold = \"standing\"\n"
+                     "[[ledge]]\nx = 0\ny = 7800\nwidth = 4000\n[[block]]\nkind = \"b\"\n"
+                     "shape = \"square\"\nx = 0\ny = 8400\n" +
+                     more);
+}
+
+TEST(Lint, RefusesABuildingThatNoBallCanReach) {
+    const std::string sides = "[[ledge]]\nx = 2000\ny = 9000\nwidth = 400\nheight = 2800\n"
+                              "mirror = true\n";
+    EXPECT_TRUE(lint(oneOnALedge(sides), {.seeds = 0}).passed()) << "open above";
+    const LintReport shut = lint(
+        oneOnALedge(sides + "[[ledge]]\nx = 0\ny = 10400\nwidth = 4000\n"), {.seeds = 0});
+    ASSERT_EQ(shut.problems.size(), 1u);
+    EXPECT_EQ(shut.problems[0], "no ball can come to a block of the building");
+}
+
+TEST(Lint, RefusesAWayThatCanNeverBeMet) {
+    const auto way = [](const std::string& strikes) {
+        return "[[way]]\nname = \"x\"\nstrikes = \"" + strikes + "\"\n";
+    };
+    EXPECT_TRUE(lint(oneOnALedge(way("wb")), {.seeds = 0}).passed());
+    const LintReport report = lint(oneOnALedge(way("w")), {.seeds = 0});
+    ASSERT_EQ(report.problems.size(), 1u);
+    EXPECT_EQ(report.problems[0], "the way \"x\" can never be met: there is no block of w");
+}
+
 TEST(Lint, NamesTheBlockThatMovesWhenNobodyPlays) {
     const std::string head = "format = 1\ntitle = \"t\"\nidea = \"i\"\n[legend.b]\n"
                              "stuff = \"brick\"\nhold = \"standing\"\n[[ledge]]\nx = 0\n"

@@ -19,8 +19,14 @@ Input holding(Force force) {
     return input;
 }
 
+Game served(const std::string& rows) {
+    Game game(levelOf("g..............\n" + rows), 1);
+    GameTestAccess::countHit(game);
+    return game;
+}
+
 Game fresh() {
-    return Game(levelOf("g..............\n" + emptyRows(4) + ".......b.......\n"), 1);
+    return served(emptyRows(4) + ".......b.......\n");
 }
 
 /// Speed of the first ball away from the centre of the paddle.
@@ -78,7 +84,7 @@ TEST(Field, FallsLinearlyWithTheDistanceToZeroAtItsRange) {
 }
 
 TEST(Field, ActsOnShardsPartsAndLooseBlocks) {
-    Game game(levelOf("g..............\n" + emptyRows(4) + "....b..W..b....\n"), 1);
+    Game game = served(emptyRows(4) + "....b..W..b....\n");
     GameTestAccess::letGo(game, 1);
     GameTestAccess::breakBlock(game, 2, {0, 0});
     const kodo::BodyId loose = game.blocks()[1].body;
@@ -212,7 +218,7 @@ TEST(Meter, MustReachAMinimumBeforeTheFieldStarts) {
 }
 
 TEST(Meter, IsFilledByCaughtShards) {
-    Game game(levelOf("g..............\n" + emptyRows(10) + ".......b.......\n"), 1);
+    Game game = served(emptyRows(10) + ".......b.......\n");
     GameTestAccess::breakBlock(game, 1, {0, 0});
     GameTestAccess::setMeter(game, Real(0.6));
     Real before = game.meter();

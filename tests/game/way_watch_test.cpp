@@ -80,6 +80,33 @@ TEST(WayWatch, TellsABankBeforeTheFirstBlock) {
     EXPECT_EQ(waysAfter({-8, 10}, {-16, 0}), 0b101u);
 }
 
+// A serve strikes the bricks, and only later a mount fails.
+TEST(WayWatch, AFallThatBeginsWithoutABallHasNoWay) {
+    Game game(levelFrom(towers()), 1);
+    WayWatch watch;
+    const auto play = [&] {
+        game.tick({});
+        watch.update(game);
+    };
+    game.tick({.launch = true});
+    kodo::BodyRef ball = GameTestAccess::world(game)[game.balls()[0].body];
+    ball.setPosition({0, 10});
+    ball.setVelocity({16, 0});
+    bool struck = false;
+    for (int i = 0; i < 120 && !struck; ++i) {
+        play();
+        const Struck* hit = eventOf<Struck>(game);
+        struck = hit != nullptr && hit->letter == 'b';
+    }
+    ASSERT_TRUE(struck);
+    for (std::uint32_t i = 0; i <= kFailTicks && game.collapse().largest == 0; ++i) {
+        GameTestAccess::shoot(game, {0, 4}, {0, 12});
+        play();
+    }
+    ASSERT_GT(game.collapse().largest, 0);
+    EXPECT_EQ(watch.ways(game.level()), 0u);
+}
+
 TEST(WayWatch, WaysAreReadAndWrittenAndChangeNoDigest) {
     const Level level = levelFrom(towers());
     ASSERT_EQ(level.ways.size(), 3u);

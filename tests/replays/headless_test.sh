@@ -127,6 +127,10 @@ expect 1 'tick 60 is the first whose hash differs' "$program" verify other.repla
 expect 1 '^other.replay: the game diverges: tick 60 is the first' "$program" replay other.replay
 sed 's/^expect 600   lives .*/expect 600 lives == 1/' "$replays/keystone_caught.replay" >unmet.replay
 expect 1 '^unmet.replay:[0-9]+: expect 600 lives == 1, but lives is 8$' "$program" replay unmet.replay
+expect 1 '^unmet.replay:[0-9]+: expect 600 lives == 1, but lives is 8$' "$program" verify unmet.replay
+expect 0 'All [0-9]+ expectations are met' "$program" verify "$replays/keystone_caught.replay"
+grep -v -e '^hash' -e '^expect' unmet.replay >empty.replay
+expect 2 'there is no hash line and no expectation to verify' "$program" verify empty.replay
 expect 2 'there is no level nowhere' "$program" bot --level nowhere
 expect 2 'a whole number from 0 to 4294967295, not .99999999999' "$program" bot --seed 99999999999
 expect 2 'level' "$program" bot --level=

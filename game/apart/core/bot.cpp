@@ -6,6 +6,7 @@
 #include <apart/core/tuning.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace apart {
@@ -313,6 +314,20 @@ Input keyBot(const Game& game, const Hand& hand) {
     return input;
 }
 
+/// Without a move of the paddle. Of 24 seeds in a row each has other aims or another force.
+Input absentBot(const Game& game) {
+    constexpr std::array<std::int16_t, 7> kHeld = {-1200, -600, -400, 0, 400, 600, 1200};
+    constexpr auto kForces = static_cast<std::uint32_t>(kForceNames.size());
+    Input input;
+    input.launch = game.ticks() % (kTicksPerSecond / 2) < 2;
+    input.force = static_cast<Force>(game.seed() % kForces);
+    const std::size_t aim = game.seed() / kForces % (kHeld.size() + 1);
+    if (aim < kHeld.size()) {
+        input.aim = kHeld[aim]; // else the direction that the game draws
+    }
+    return input;
+}
+
 Input erraticBot(const Game& game) {
     Generator chance(mixKeys(game.seed(), game.ticks() / kWhimTicks, 9));
     Input input = bot(game);
@@ -350,9 +365,7 @@ Input bot(const Game& game, BotKind kind) {
         return keyBot(game, handOf(kind));
     }
     if (kind == BotKind::Absent) {
-        Input input;
-        input.launch = game.ticks() % (kTicksPerSecond / 2) < 2;
-        return input;
+        return absentBot(game);
     }
     if (kind == BotKind::Erratic) {
         return erraticBot(game);

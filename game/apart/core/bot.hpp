@@ -29,7 +29,7 @@ enum class BotKind : std::uint8_t {
     Novice,  // as Clumsy, but sees the ball earlier and misses seldom
     Fair,    // as Clumsy, but follows the ball from the top, without a miss of its own
     Perfect, // as Good, but each shot is the surest one
-    Absent,  // never moves, and launches twice a second
+    Absent,  // never moves, launches twice a second, and holds an aim and a force by the seed
     Planner, // tries its shots on copies of the game; needs a Player, else as Good
 };
 inline constexpr std::array<std::string_view, 10> kBotNames = {

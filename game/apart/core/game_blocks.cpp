@@ -24,6 +24,7 @@ bool areNeighbours(std::uint32_t a, std::uint32_t b) {
 
 } // namespace
 
+/// Lets go nextToFall(). It, and what falls with it, counts for no blow: the next hit begins one.
 static void letGoNext(GameState& game, LetGo::Why why);
 static void dropUnsupported(GameState& game, Vec2 last);
 
@@ -134,6 +135,7 @@ void letGoNext(GameState& game, LetGo::Why why) {
     if (block == nullptr) {
         return;
     }
+    game.counts.blow = false;
     const bool boss = block->support == Support::Boss;
     const Vec2 place = game.frameOf(*block).position;
     letGo(game, static_cast<std::size_t>(block - game.blocks.data()), why);
@@ -188,8 +190,9 @@ void removeGoneBlocks(GameState& game) {
         game.world.remove(block.body);
         game.blocks.erase(game.blocks.begin() + static_cast<std::ptrdiff_t>(i));
         if (block.counts() && game.result == Result::Playing) {
-            const std::int32_t points =
+            const std::int32_t worth =
                 kPoints[static_cast<std::size_t>(block.kind.stuff)] / kFallDivisor;
+            const std::int32_t points = game.counts.hits > 0 ? worth : 0;
             --game.counts.blocksLeft;
             game.counts.score += points;
             game.events.emplace_back(Landed{block.body, block.kind.stuff, place, points});

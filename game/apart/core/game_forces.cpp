@@ -17,7 +17,8 @@ static void pushPaddleBack(GameState& game, Vec2 impulse);
 static Vec2 tear(GameState& game, Vec2 center);
 
 void useForce(GameState& game, const Input& input) {
-    const bool wanted = input.force != Force::None && game.result == Result::Playing;
+    const bool begun = game.counts.hits > 0 || !game.serving(); // by the first serve
+    const bool wanted = begun && input.force != Force::None && game.result == Result::Playing;
     // Hysteresis: a field that started at an almost empty meter would flicker.
     const bool enough = input.force == game.paddle.field.force
                             ? game.paddle.field.meter > 0

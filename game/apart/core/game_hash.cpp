@@ -111,6 +111,7 @@ std::uint64_t GameState::hash() const {
           counts.hits, counts.leftAtHit, counts.bestBlow, counts.prizeUnit}) {
         sum.add(number);
     }
+    sum.add(static_cast<std::uint8_t>(counts.blow));
     sum.add(counts.serves);
     sum.add(counts.downTick);
     sum.add(counts.hitTick);

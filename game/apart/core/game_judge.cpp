@@ -126,6 +126,7 @@ void judgeBall(GameState& game, const CollisionRecord& hit, BodyId ball) {
         }
         if (met->hollow && game.paddle.moved) {
             met->hollow = false;
+            game.counts.blow = true; // even if a touch of the hollow ball was the hit
             game.world[ball].setMassFromDensity();
         }
     }
@@ -133,7 +134,7 @@ void judgeBall(GameState& game, const CollisionRecord& hit, BodyId ball) {
         return;
     }
     if (what == Role::Paddle) {
-        game.counts.hit(game.tick);
+        game.counts.hit(game.tick, met->hollow);
     }
     const Block* block = game.findBlock(other, partOf(hit, other));
     game.events.emplace_back(Struck{.ball = ball,

@@ -109,7 +109,7 @@ void serve(GameState& game) {
             }
             body.setVelocity(game.ballSpeed() * game.paddle.serveHeading);
             game.paddle.moved = false;
-            game.counts.hit(game.tick);
+            game.counts.hit(game.tick, ball.hollow);
             game.events.emplace_back(Served{ball.body, body.position(), game.paddle.serveHeading});
         }
     }

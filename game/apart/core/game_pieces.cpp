@@ -91,6 +91,9 @@ void breakBlock(GameState& game, std::size_t index, Vec2 point, Vec2 impact) {
 /// Counts a block that broke as cleared. Returns its points.
 std::int32_t countBroken(GameState& game, const Block& block, Vec2 place) {
     --game.counts.blocksLeft;
+    if (game.counts.hits == 0) {
+        return 0; // before the first serve
+    }
     if (block.support == Support::Standing) {
         const std::int32_t points = addToCollapse(game, block);
         ++game.buildings.collapse.landed;

@@ -48,16 +48,20 @@ Real GameState::ballSpeed() const {
     return origin.mode == Mode::Assisted ? kAssistedSpeed * speed : speed;
 }
 
-void Counts::hit(std::uint32_t tick) {
+void Counts::hit(std::uint32_t tick, bool hollow) {
     const bool apart = hits == 0 || tick - hitTick >= kHitTicks;
     if (apart && !isDown()) {
         ++hits;
+        blow = !hollow;
         leftAtHit = blocksLeft;
     }
     hitTick = tick;
 }
 
 void Counts::watchBlow() {
+    if (!blow) {
+        leftAtHit = blocksLeft;
+    }
     if (!isDown()) { // what comes down by itself is part of no blow
         bestBlow = std::max(bestBlow, leftAtHit - blocksLeft);
     }
@@ -94,7 +98,7 @@ Real GameState::idleSeconds() const {
 }
 
 bool GameState::tears() const {
-    return paddle.field.force == Force::Pull && patience() != Patience::Calm && !serving() &&
+    return paddle.field.force == Force::Pull && patience() != Patience::Calm && armed() &&
            nextToFall() != nullptr;
 }
 

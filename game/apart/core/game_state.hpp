@@ -38,14 +38,15 @@ struct Counts {
     std::uint32_t serves = 0;
     std::int32_t hits = 0;      // of balls on the paddle; a serve is one
     std::uint32_t hitTick = 0;  // of the last hit
-    std::int32_t leftAtHit = 0; // blocksLeft at that hit
-    std::int32_t bestBlow = 0;  // most blocks cleared between two hits, until a building is down
+    bool blow = false;          // what is cleared counts for that hit
+    std::int32_t leftAtHit = 0; // blocksLeft at that hit, or now if nothing counts for it
+    std::int32_t bestBlow = 0;  // most blocks that one hit cleared, until a building is down
     std::int32_t prizeUnit = 0; // points of all blocks, times kPrizeFactor
     std::uint32_t downTick = 0; // since which the building is down; 0: it is not
 
-    /// A ball touched the paddle, or was served, at a tick.
-    void hit(std::uint32_t tick);
-    /// Compares the blocks that the last hit cleared with the best blow.
+    /// A ball touched the paddle, or was served, at a tick. A hollow one makes no blow.
+    void hit(std::uint32_t tick, bool hollow = false);
+    /// Compares the blocks that the last hit cleared with the best blow. To be called each tick.
     void watchBlow();
     /// Points for the best blow, if the game were won now.
     std::int32_t prize() const { return prizeUnit * bestBlow / (blocksAtStart - bestBlow + 1); }

@@ -59,8 +59,11 @@ public:
 
     /// True if the centre of a ball can reach a point inside the cell.
     bool reaches(const Cell& cell) const {
-        const Vec2 center = centerOf(cell);
-        const Vec2 half{kCellWidth / 2, kCellHeight / 2};
+        return reaches(centerOf(cell), {kCellWidth / 2, kCellHeight / 2});
+    }
+
+    /// The same of a rectangle within the field, by its middle and half of its extent.
+    bool reaches(Vec2 center, Vec2 half) const {
         const auto index = [](Real way) { return static_cast<int>(way / kStride); };
         const int last = std::min(index(center.x + half.x + kFieldWidth / 2), kAcross - 1);
         const int top = std::min(index(center.y + half.y), kUp - 1);
@@ -158,9 +161,46 @@ std::string cellText(const Cell& cell) {
     return "row " + std::to_string(cell.row + 1) + ", column " + std::to_string(cell.column + 1);
 }
 
-void judgeReach(LintReport& report) {
+/// True if a ball can come to a block of the building, or if there is none.
+bool reachesBuilding(const Level& level) {
+    const Game game(level, 1);
+    const kodo::World lasting = lastingWorld(level);
+    const Flood flood(lasting, level);
+    bool any = false;
+    for (const Block& block : game.blocks()) {
+        if (block.counts() && block.key >= keyOfFree(0)) {
+            const kodo::Aabb bounds = game.world()[block.body].bounds();
+            if (flood.reaches((bounds.lower + bounds.upper) / 2, bounds.extent() / 2)) {
+                return true;
+            }
+            any = true;
+        }
+    }
+    return !any;
+}
+
+void judgeReach(const Level& level, LintReport& report) {
     for (const Cell& cell : report.outOfReach) {
         report.problems.push_back("no ball can come to the block in " + cellText(cell));
+    }
+    if (!reachesBuilding(level)) {
+        report.problems.push_back("no ball can come to a block of the building");
+    }
+}
+
+/// Names the ways that strike letters of no block.
+void judgeWays(const Level& level, LintReport& report) {
+    const auto stands = [&](char letter) {
+        return std::any_of(
+            level.freeBlocks.begin(), level.freeBlocks.end(),
+            [&](const FreeBlock& block) { return level.kinds[block.kind].letter == letter; });
+    };
+    for (const WayDef& way : level.ways) {
+        if (!way.strikes.empty() &&
+            std::none_of(way.strikes.begin(), way.strikes.end(), stands)) {
+            report.problems.push_back("the way \"" + way.name + "\" can never be met: there is no " +
+                                      "block of " + way.strikes);
+        }
     }
 }
 
@@ -302,7 +342,8 @@ LintReport lint(const Level& level, const LintOptions& options) {
     report.waitBound = kFailTicks;
     report.clearBound = kFailTicks + kLooseTicks +
                         kFailEvery * static_cast<std::uint32_t>(std::max(report.blocks - 1, 0));
-    judgeReach(report);
+    judgeReach(level, report);
+    judgeWays(level, report);
     judgeStanding(level, report);
     std::uint64_t ticks = 0;
     std::uint64_t work = 0;

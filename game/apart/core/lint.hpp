@@ -69,8 +69,9 @@ struct LintReport {
 /// true size, with all breakable blocks removed.
 std::vector<Cell> outOfReach(const Level& level);
 
-/// Checks that a level is playable. Every block must be reachable, no standing block may move in a
-/// minute without a player, and the bot must win each game.
+/// Checks that a level is playable. Every block of the grid and some block of a building must be
+/// reachable, the letters of ways must stand for blocks, no standing block may move in a minute
+/// without a player, and the bot must win each game.
 /// No game may exceed the wait bound or contain a fault, and the mean work per tick is limited.
 /// Warns of characters in its texts that the typefaces lack.
 LintReport lint(const Level& level, const LintOptions& options = {});

@@ -201,7 +201,8 @@ std::optional<std::string> fromBase64(std::string_view text) {
             bytes += static_cast<char>(held >> bits & 255);
         }
     }
-    return bytes;
+    const bool whole = bits < 6 && (held & ((1u << bits) - 1)) == 0;
+    return whole ? std::optional(bytes) : std::nullopt;
 }
 
 } // namespace
@@ -247,7 +248,12 @@ Read<ReplayRun> unpacked(std::string_view bytes, const std::string& file) {
         digest ^= digestOf(own);
         text += own;
     }
-    return count > 0 && coder.bits64(0) == digest ? parseRun(text, file) : damaged;
+    if (count == 0 || coder.bits64(0) != digest) {
+        return damaged;
+    }
+    Read<ReplayRun> run = parseRun(text, file);
+    const auto* whole = std::get_if<ReplayRun>(&run);
+    return whole != nullptr && packed(*whole) != bytes ? damaged : run; // something follows it
 }
 
 std::string linkOf(const ReplayRun& run) {

@@ -12,7 +12,7 @@ namespace apart {
 using kodo::Real;
 
 // To be raised whenever the same inputs give another game. Older replays are then refused.
-inline constexpr std::uint32_t kRulesVersion = 35;
+inline constexpr std::uint32_t kRulesVersion = 36;
 
 inline constexpr int kTicksPerSecond = 120;
 inline constexpr Real kTickSeconds = Real(1) / 120;
@@ -39,8 +39,8 @@ inline constexpr Real kEggShort = Real(0.28);   // from its widest line to its b
 inline constexpr Real kEggHalfWidth = Real(0.27);
 inline constexpr int kEggFacets = 20;
 // In a level with a building or joints a served ball is hollow until a paddle that has moved since
-// the serve returns it. It cracks blocks, but breaks none, and no mount fails: launching alone
-// clears nothing.
+// the serve returns it. It cracks blocks, but breaks none, makes no blow, and no mount fails or is
+// torn: launching alone clears nothing.
 inline constexpr Real kHollowShare = Real(1) / 16; // of the mass
 inline constexpr Real kMovedWay = Real(0.01);      // m in a tick; then the paddle has moved
 inline constexpr Real kMostSpin = 25;              // rad/s; limit applied by the governor

@@ -9,6 +9,9 @@ void WayWatch::update(const Game& game) {
     for (const Event& event : game.events()) {
         if (const auto* struck = std::get_if<Struck>(&event)) {
             follow(*struck);
+        } else if (const auto* let = std::get_if<LetGo>(&event)) {
+            const bool torn = let->why == LetGo::Why::Torn || let->why == LetGo::Why::Fatigue;
+            now_ = torn ? Blow{.torn = true} : now_;
         } else if (std::holds_alternative<Served>(event)) {
             hasStruck_ = touched_ = false;
         }
@@ -30,7 +33,7 @@ void WayWatch::follow(const Struck& struck) {
         hasStruck_ = touched_ = false;
         break;
     case Role::Block:
-        now_ = {struck.letter, hasStruck_ ? now_.bank : touched_};
+        now_ = {struck.letter, hasStruck_ ? now_.bank : touched_, false};
         hasStruck_ = true;
         break;
     case Role::Wall:
@@ -49,7 +52,7 @@ std::uint32_t WayWatch::ways(const Level& level) const {
         const bool strikes =
             way.strikes.empty() ||
             (largest_.struck != 0 && way.strikes.find(largest_.struck) != std::string::npos);
-        if (most_ > 0 && strikes && way.bank.value_or(largest_.bank) == largest_.bank) {
+        if (most_ > 0 && !largest_.torn && strikes && way.bank.value_or(largest_.bank) == largest_.bank) {
             ways |= 1u << i;
         }
     }

@@ -26,6 +26,7 @@ private:
     struct Blow {
         char struck = 0;   // letter of the block that was struck last; 0: none
         bool bank = false; // a wall or an obstruction was touched before the first block
+        bool torn = false; // no ball: a mount was torn, or failed
     };
     void follow(const Struck& struck);
 

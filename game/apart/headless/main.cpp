@@ -109,14 +109,20 @@ bool agrees(const std::string& file, const Playback& playback) {
     return false;
 }
 
+/// Names the unmet expectations. False if there are some.
+bool meets(const std::string& file, const Playback& playback) {
+    for (const Playback::Failure& failure : playback.failures()) {
+        complain(fmt::format("{}:{}: {}", file, failure.expectation.line, failure.text()));
+    }
+    return playback.failures().empty();
+}
+
 /// Plays one replay of a file and prints its report; adds it to `daily`. False if an expectation is
 /// unmet or a hash differs.
 bool playReplay(const std::string& file, const Replay& replay, bool json, DailyResult& daily) {
     Playback playback = openReplay(file, replay);
     const std::optional<std::uint32_t> ended = playToEnd(playback);
-    for (const Playback::Failure& failure : playback.failures()) {
-        complain(fmt::format("{}:{}: {}", file, failure.expectation.line, failure.text()));
-    }
+    const bool met = meets(file, playback);
     daily.score += playback.game().score();
     daily.ticks += replay.end;
     ++daily.levels;
@@ -129,7 +135,7 @@ bool playReplay(const std::string& file, const Replay& replay, bool json, DailyR
                    playback.replay().expectations.size() - playback.failures().size(),
                    playback.replay().expectations.size());
     }
-    return agrees(file, playback) && playback.failures().empty();
+    return agrees(file, playback) && met;
 }
 
 int playRun(const std::string& file, bool json, bool link) {
@@ -148,28 +154,34 @@ int playRun(const std::string& file, bool json, bool link) {
     return good ? 0 : 1;
 }
 
-/// False if the game diverges.
+/// False if the game diverges or an expectation is unmet.
 bool verifyReplay(const std::string& file, const Replay& replay, bool json) {
     Playback playback = openReplay(file, replay);
     const std::size_t hashes = replay.hashes.size();
-    if (hashes == 0) {
-        throw Refusal{file + ": there is no hash line to verify"};
+    const std::size_t expected = replay.expectations.size();
+    if (hashes + expected == 0) {
+        throw Refusal{file + ": there is no hash line and no expectation to verify"};
     }
     const std::optional<std::uint32_t> ended = playToEnd(playback);
     Report report = reportOf(playback.game());
     report.ended = ended;
     report.hashesChecked = hashes;
+    if (expected > 0) {
+        report.expectationsFailed = playback.failures().size();
+    }
     if (playback.divergence()) {
         report.firstDifference = playback.divergence()->tick;
     }
     print(report, json);
-    if (!agrees(file, playback)) {
-        return false;
-    }
-    if (!json) {
+    const bool met = meets(file, playback);
+    const bool agreed = agrees(file, playback);
+    if (!json && agreed && hashes > 0) {
         fmt::print("All {} hashes agree.\n", hashes);
     }
-    return true;
+    if (!json && met && expected > 0) {
+        fmt::print("All {} expectations are met.\n", expected);
+    }
+    return met && agreed;
 }
 
 int verify(const std::string& file, bool json) {
@@ -296,7 +308,7 @@ int run(int argc, char** argv) {
     BotOptions options;
 
     CLI::App* replayCommand = app.add_subcommand("replay", "Play a replay; report expectations");
-    CLI::App* verifyCommand = app.add_subcommand("verify", "Play a replay; compare state hashes");
+    CLI::App* verifyCommand = app.add_subcommand("verify", "Play a replay; compare hashes and expectations");
     for (CLI::App* command : {replayCommand, verifyCommand}) {
         command->add_option("FILE", file, "The replay, or a link to one")->required();
         command->add_flag("--json", json, "Print one JSON object");

@@ -205,6 +205,17 @@ void Juice::onEvent(const Game& game, const Collapsed& collapse) {
     }
 }
 
+void Juice::onEvent(const Game& game, const Served& serve) {
+    const auto balls = game.balls();
+    const bool hollow = std::any_of(balls.begin(), balls.end(), [&](const Ball& ball) {
+        return ball.body == serve.ball && ball.hollow;
+    });
+    // In each of the first levels with a building; the ring of the ball is known by then.
+    if (hollow && game.counts().hits == 1 && game.level().theme == Theme::Daybreak) {
+        say(game, {"a hollow ball: fill it", {0, 4}, palette::kAccent, Real(0.6)});
+    }
+}
+
 void Juice::onEvent(const Game& game, const Snapped& snap) {
     burst(blastOf(snap.point, palette::kMachine, 14, 7));
     push(Real(0.15));
@@ -218,6 +229,9 @@ void Juice::onEvent(const Game& game, const Breached& breach) {
 }
 
 void Juice::onEvent(const Game& game, const PatienceChanged& change) {
+    if (!game.state().armed()) {
+        return; // with a hollow ball all mounts hold
+    }
     const Block* next = game.state().nextToFall();
     if (change.patience == Patience::Glowing && next != nullptr) {
         const kodo::BodyView body = game.world()[next->body];

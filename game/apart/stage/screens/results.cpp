@@ -34,9 +34,7 @@ void paintScoreLines(Canvas& canvas, const ResultsLook& look) {
     line("broken", countText(run.broken, "block") + fmt::format(", combo {}", run.bestCombo),
          run.points.broken);
     if (run.fallen > 0) {
-        line("fallen",
-             countText(run.fallen, "block") + fmt::format(", {} in one fall", run.largestFall),
-             run.points.fallen);
+        line("fallen", countText(run.fallen, "block"), run.points.fallen);
     }
     if (run.caught > 0) {
         line("caught", countText(run.caught, "part"), run.points.caught);
@@ -56,9 +54,12 @@ void paintScoreLines(Canvas& canvas, const ResultsLook& look) {
         line("before", "earlier levels", look.score - run.points.sum());
     }
     const std::uint32_t seconds = run.ticks / kTicksPerSecond;
-    canvas.text(fmt::format("{} of {} in {}:{:02}", run.cleared,
+    // A fall holds blocks that broke in it too.
+    const std::string fall =
+        run.largestFall > 0 ? fmt::format(", {} in one fall", run.largestFall) : "";
+    canvas.text(fmt::format("{} of {} in {}:{:02}{}", run.cleared,
                             countText(look.game.blocksAtStart(), "block"), seconds / 60,
-                            seconds % 60),
+                            seconds % 60, fall),
                 {0, y}, {Real(0.42), palette::kQuiet, Typeface::Plain, Align::Middle});
 }
 

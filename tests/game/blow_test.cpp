@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+// Blows: what is cleared for a hit of the paddle, and what is cleared for none.
+#include <apart/core/assets.hpp>
+#include <apart/core/bot.hpp>
+
+#include <set>
+
+#include "game_access.hpp"
+
+namespace {
+
+using namespace apart;
+using kodo::Real;
+using kodo::Vec2;
+
+const Input kPull{.force = Force::Pull};
+
+/// A column of six bricks on a ledge at the right: a building.
+Game column() {
+    return Game(levelFrom(R"(format = 1
+title = "t"
+idea = "i"
+[legend.b]
+stuff = "brick"
+hold = "standing"
+[[ledge]]
+x = 8000
+y = 7800
+width = 4000
+[[block]]
+kind = "b"
+shape = "square"
+x = 8000
+y = 8400
+rows = 6
+row-step = [0, 800]
+)"),
+                1);
+}
+
+/// Four blocks in a row and a lower one, after the serve.
+Game row() {
+    Game game(levelOf("gggg...........\n" + emptyRows(4) + ".......s.......\n"), 1);
+    game.tick({.launch = true});
+    return game;
+}
+
+/// Breaks the first blocks in one tick.
+void breakBlocks(Game& game, int count) {
+    for (int i = 0; i < count; ++i) {
+        GameTestAccess::breakBlock(game, 0, Vec2{0, 24});
+    }
+    game.tick({});
+}
+
+/// The paddle returns the ball.
+void hitAgain(Game& game) {
+    const std::int32_t hits = game.counts().hits;
+    playOn(game, static_cast<int>(kHitTicks));
+    GameTestAccess::shoot(game, {0, 3}, {0, -12});
+    for (int i = 0; i < 60 && game.counts().hits == hits; ++i) {
+        game.tick({});
+    }
+    EXPECT_EQ(game.counts().hits, hits + 1);
+}
+
+/// Plays with the ball away from all until a block is let go. False if none is for `most` ticks.
+bool waitFor(Game& game, LetGo::Why why, const Input& input, int most) {
+    for (int i = 0; i < most; ++i) {
+        GameTestAccess::shoot(game, {8, 5}, {0, 12});
+        game.tick(input);
+        const LetGo* let = eventOf<LetGo>(game);
+        if (let != nullptr && let->why == why) {
+            return true;
+        }
+    }
+    return false;
+}
+
+TEST(Blow, IsMadeByNoHollowBallUntilThePaddleFillsIt) {
+    Game game = column();
+    game.tick({.launch = true, .aim = std::int16_t{0}});
+    breakBlocks(game, 3);
+    EXPECT_EQ(game.counts().bestBlow, 0);
+    for (int i = 0; i < 480 && game.counts().hits < 2; ++i) {
+        game.tick({.target = i < 60 ? std::int16_t{1000} : std::int16_t{0}});
+    }
+    ASSERT_FALSE(game.balls()[0].hollow);
+    breakBlocks(game, 2);
+    EXPECT_EQ(game.counts().bestBlow, 2);
+}
+
+TEST(Blow, EndsWithATearAndTheNextHitBeginsOne) {
+    Game game = row();
+    ASSERT_TRUE(waitFor(game, LetGo::Why::Torn, kPull, static_cast<int>(kFailTicks)));
+    breakBlocks(game, 2);
+    EXPECT_EQ(game.counts().bestBlow, 0) << "what a pull tears off brings nothing down for a hit";
+    hitAgain(game);
+    breakBlocks(game, 1);
+    EXPECT_EQ(game.counts().bestBlow, 1);
+}
+
+TEST(Blow, EndsWithAMountThatFails) {
+    Game game = row();
+    ASSERT_TRUE(waitFor(game, LetGo::Why::Fatigue, {}, static_cast<int>(kFailTicks) + 1));
+    breakBlocks(game, 2);
+    EXPECT_EQ(game.counts().bestBlow, 0);
+    hitAgain(game);
+    breakBlocks(game, 1);
+    EXPECT_EQ(game.counts().bestBlow, 1);
+}
+
+TEST(Blow, KeepsWhatItClearedBeforeATear) {
+    Game game = row();
+    breakBlocks(game, 2);
+    ASSERT_TRUE(waitFor(game, LetGo::Why::Torn, kPull, static_cast<int>(kFailTicks)));
+    EXPECT_EQ(game.counts().bestBlow, 2);
+}
+
+TEST(Pull, TearsNothingOffWhileTheBallIsHollow) {
+    Game game = column();
+    game.tick({.launch = true});
+    for (std::uint32_t tick = 0; tick < kGlowTicks; ++tick) {
+        GameTestAccess::idle(game);
+    }
+    ASSERT_EQ(game.state().patience(), Patience::Glowing);
+    Game filled = game;
+    EXPECT_TRUE(waitFor(filled, LetGo::Why::Torn, kPull, 240));
+    for (int i = 0; i < 240; ++i) {
+        kodo::BodyRef ball = GameTestAccess::world(game)[game.balls()[0].body];
+        ball.setPosition({-8, 9});
+        ball.setVelocity({0, 12});
+        game.tick(kPull);
+        ASSERT_EQ(eventOf<LetGo>(game), nullptr) << i;
+        ASSERT_EQ(game.state().tornShare(), 0);
+    }
+}
+
+TEST(Field, RestsBeforeTheFirstServe) {
+    Game game = column();
+    for (int i = 0; i < 60; ++i) {
+        game.tick(kPull);
+        ASSERT_EQ(game.force(), Force::None);
+        ASSERT_EQ(eventOf<ForceChanged>(game), nullptr);
+    }
+    EXPECT_EQ(game.meter(), 1);
+    game.tick({.launch = true, .force = Force::Pull});
+    EXPECT_EQ(game.force(), Force::Pull);
+    EXPECT_LT(game.meter(), 1);
+}
+
+// Regression: a pull or a push brought hanging blocks down before the serve, for 730 points.
+TEST(Score, IsNotMadeBeforeTheFirstServe) {
+    for (const char* name : {"apart", "galleon"}) {
+        const Level level = std::get<Level>(loadLevel(name));
+        for (const Force force : {Force::Pull, Force::Push}) {
+            Game game(level, 1);
+            for (int i = 0; i < 10 * kTicksPerSecond; ++i) {
+                game.tick({.force = force});
+            }
+            EXPECT_EQ(game.score(), 0) << name;
+            EXPECT_EQ(game.blocksLeft(), game.blocksAtStart()) << name;
+        }
+    }
+    Game game = column();
+    breakBlocks(game, 2);
+    EXPECT_EQ(game.score(), 0);
+    EXPECT_EQ(game.blocksLeft(), game.blocksAtStart() - 2);
+}
+
+TEST(Bot, TheAbsentPlayerHoldsEachForceWithEachAimAndNeverMoves) {
+    const Level level = column().level();
+    std::set<std::pair<Force, std::optional<std::int16_t>>> held;
+    for (std::uint32_t seed = 1; seed <= 24; ++seed) {
+        Game game(level, seed);
+        for (int i = 0; i < 240; ++i) {
+            const Input input = bot(game, BotKind::Absent);
+            EXPECT_EQ(input.paddle, 0);
+            EXPECT_FALSE(input.target);
+            held.emplace(input.force, input.aim);
+            game.tick(input);
+        }
+        EXPECT_EQ(game.world()[game.paddle()].position().x, 0);
+    }
+    EXPECT_EQ(held.size(), 24u);
+}
+
+} // namespace
