@@ -111,9 +111,11 @@ int addPieces(GameState& game, const Block& block, const kodo::Shape& shape,
     const Vec2 impact = before.impact;
     const kodo::Transform& frame = before.frame;
     const PieceMotion& carried = before.motion;
+    BlockKind kind = block.kind;
+    kind.pattern = game.counts.isDown() ? Pattern::Halves : kind.pattern; // it crumbles
     const std::vector<Piece> pieces =
-        piecesOf(block.kind, shape, before.hit, mixKeys(game.origin.seed, block.key, 2));
-    const bool rubble = block.support == Support::Fallen;
+        piecesOf(kind, shape, before.hit, mixKeys(game.origin.seed, block.key, 2));
+    const bool rubble = block.support == Support::Fallen || game.counts.isDown();
     const std::uint32_t born = rubble ? game.tick + kRubbleTicks - kShardTicks : game.tick;
     std::vector<kodo::Mass> masses;
     kodo::Mass whole{};

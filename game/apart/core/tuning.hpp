@@ -163,8 +163,8 @@ inline constexpr std::uint32_t kTouchTicks = 12; // 0.1 s: then contacts tell wh
 inline constexpr Real kLandingSpeed = Real(1.5); // m/s, of a fallen block against what it lands on
 // A building is down once nothing has fallen for a while and the heights of its standing blocks
 // that are left, above the lowest one, add up to this share of the sum at the start. The rest then
-// comes down: the lowest block breaks, and the next, under what they carry. A ball that is not
-// hollow must be in play.
+// comes down: the lowest block breaks into halves, and the next, under what they carry. A ball that
+// is not hollow must be in play.
 inline constexpr Real kDownShare = Real(0.5);
 inline constexpr std::uint32_t kDownTicks = 60;   // 0.5 s
 inline constexpr std::uint32_t kCrumbleTicks = 3; // from one block to the next
@@ -198,7 +198,9 @@ inline constexpr Real kSplashSpeed = Real(1.5); // m/s; what is slower does not 
 
 // Shards.
 inline constexpr Real kGravity = 12; // m/s^2, on shards, parts and loose or hanging blocks
-inline constexpr kodo::Material kShardMaterial = kodo::withFriction(Real(0.5), Real(0.3));
+// Without restitution: with any, however small, impacts pass through all that touch in a heap of
+// shards, and a tick of a large fall takes twice as long.
+inline constexpr kodo::Material kShardMaterial = kodo::withFriction(Real(0.5), 0);
 inline constexpr Real kShardSpeed = 4;            // m/s; limit, see impulseOnPieces()
 inline constexpr Real kBurstSpeed = 2;            // m/s, outwards, from internal stress
 inline constexpr std::uint32_t kShardTicks = 720; // lifetime
