@@ -199,6 +199,25 @@ TEST(Collapse, IsToldInWordsAndInTheResults) {
     EXPECT_TRUE(tells(rig.picture(), "points") && tells(rig.picture(), " in one fall"));
 }
 
+// Regression: "fallen 9 blocks, 10 in one fall"; a fall holds blocks that broke in it too.
+TEST(Results, NameTheLargestFallBesideAllThatWasClearedWhichIsMore) {
+    StageRig rig(played("tower"));
+    for (int i = 0; i < 60 * 120 && rig.stage.screen() == Screen::Playing; ++i) {
+        rig.frame();
+    }
+    rig.frames(240);
+    int lines = 0;
+    for (const Stroke& stroke : rig.picture().strokes()) {
+        const std::size_t comma = stroke.text.rfind(", ");
+        if (stroke.text.ends_with(" in one fall") && comma != std::string::npos) {
+            EXPECT_NE(stroke.text.find(" blocks in "), std::string::npos) << stroke.text;
+            EXPECT_GE(std::stoi(stroke.text), std::stoi(stroke.text.substr(comma + 2)));
+            ++lines;
+        }
+    }
+    EXPECT_EQ(lines, 1);
+}
+
 struct WordsOfTheEnd {
     std::vector<Aabb> won; // in the picture (m)
     std::vector<Aabb> praise;

@@ -177,7 +177,7 @@ kodo::BodyDef pieceDef(const Piece& piece, const PieceMotion& motion,
             .rotation = frame.rotation,
             .velocity = motion.velocity,
             .angularVelocity = motion.spin,
-            .material = kShardMaterial,
+            .material = piece.role == Role::Part ? kPartMaterial : kShardMaterial,
             .density = piece.density,
             .flags = flagsOf(piece.role) | kFalls};
 }

@@ -187,7 +187,7 @@ void letGoOfParts(GameState& game) {
             kodo::BodyRef body = game.world[part.body];
             body.setType(kodo::BodyType::Dynamic);
             body.setFlags(flagsOf(Role::Part) | kFalls);
-            body.setMaterial(kShardMaterial);
+            body.setMaterial(kPartMaterial);
         }
     }
 }

@@ -212,6 +212,7 @@ inline constexpr Real kLeastWidth = Real(0.12); // of a shard, as share of the b
 inline constexpr Real kShardToughness = Real(0.6); // relative to its block, per share of the area
 
 // Parts.
+inline constexpr kodo::Material kPartMaterial = kodo::withFriction(Real(0.5), Real(0.3));
 inline constexpr Real kPartDensity = Real(2.5);
 inline constexpr std::uint32_t kPartTicks = 3600; // lifetime of a loose part
 inline constexpr std::uint32_t kStickTicks = 120; // from touch to launch
