@@ -118,8 +118,8 @@ TEST(Lint, RefusesABuildingThatNoBallCanReach) {
     const std::string sides = "[[ledge]]\nx = 2000\ny = 9000\nwidth = 400\nheight = 2800\n"
                               "mirror = true\n";
     EXPECT_TRUE(lint(oneOnALedge(sides), {.seeds = 0}).passed()) << "open above";
-    const LintReport shut = lint(
-        oneOnALedge(sides + "[[ledge]]\nx = 0\ny = 10400\nwidth = 4000\n"), {.seeds = 0});
+    const LintReport shut =
+        lint(oneOnALedge(sides + "[[ledge]]\nx = 0\ny = 10400\nwidth = 4000\n"), {.seeds = 0});
     ASSERT_EQ(shut.problems.size(), 1u);
     EXPECT_EQ(shut.problems[0], "no ball can come to a block of the building");
 }

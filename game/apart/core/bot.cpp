@@ -318,9 +318,8 @@ Input keyBot(const Game& game, const Hand& hand) {
 Input absentBot(const Game& game) {
     constexpr std::array<std::int16_t, 7> kHeld = {-1200, -600, -400, 0, 400, 600, 1200};
     constexpr auto kForces = static_cast<std::uint32_t>(kForceNames.size());
-    Input input;
-    input.launch = game.ticks() % (kTicksPerSecond / 2) < 2;
-    input.force = static_cast<Force>(game.seed() % kForces);
+    Input input{.launch = game.ticks() % (kTicksPerSecond / 2) < 2,
+                .force = static_cast<Force>(game.seed() % kForces)};
     const std::size_t aim = game.seed() / kForces % (kHeld.size() + 1);
     if (aim < kHeld.size()) {
         input.aim = kHeld[aim]; // else the direction that the game draws

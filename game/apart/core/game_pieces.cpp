@@ -41,6 +41,13 @@ double turnOf(const kodo::Mass& mass, const PieceMotion& motion, Vec2 center) {
                                mass.inertia * motion.spin);
 }
 
+/// A block of a building that is down crumbles: it makes few pieces.
+BlockKind kindNow(const GameState& game, const Block& block) {
+    BlockKind kind = block.kind;
+    kind.pattern = game.counts.isDown() ? Pattern::Halves : kind.pattern;
+    return kind;
+}
+
 } // namespace
 
 static int addPieces(GameState& game, const Block& block, const kodo::Shape& shape,
@@ -111,10 +118,8 @@ int addPieces(GameState& game, const Block& block, const kodo::Shape& shape,
     const Vec2 impact = before.impact;
     const kodo::Transform& frame = before.frame;
     const PieceMotion& carried = before.motion;
-    BlockKind kind = block.kind;
-    kind.pattern = game.counts.isDown() ? Pattern::Halves : kind.pattern; // it crumbles
     const std::vector<Piece> pieces =
-        piecesOf(kind, shape, before.hit, mixKeys(game.origin.seed, block.key, 2));
+        piecesOf(kindNow(game, block), shape, before.hit, mixKeys(game.origin.seed, block.key, 2));
     const bool rubble = block.support == Support::Fallen || game.counts.isDown();
     const std::uint32_t born = rubble ? game.tick + kRubbleTicks - kShardTicks : game.tick;
     std::vector<kodo::Mass> masses;

@@ -196,10 +196,10 @@ void judgeWays(const Level& level, LintReport& report) {
             [&](const FreeBlock& block) { return level.kinds[block.kind].letter == letter; });
     };
     for (const WayDef& way : level.ways) {
-        if (!way.strikes.empty() &&
-            std::none_of(way.strikes.begin(), way.strikes.end(), stands)) {
-            report.problems.push_back("the way \"" + way.name + "\" can never be met: there is no " +
-                                      "block of " + way.strikes);
+        if (!way.strikes.empty() && std::none_of(way.strikes.begin(), way.strikes.end(), stands)) {
+            report.problems.push_back("the way \"" + way.name +
+                                      "\" can never be met: there is no " + "block of " +
+                                      way.strikes);
         }
     }
 }

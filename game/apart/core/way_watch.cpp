@@ -52,7 +52,8 @@ std::uint32_t WayWatch::ways(const Level& level) const {
         const bool strikes =
             way.strikes.empty() ||
             (largest_.struck != 0 && way.strikes.find(largest_.struck) != std::string::npos);
-        if (most_ > 0 && !largest_.torn && strikes && way.bank.value_or(largest_.bank) == largest_.bank) {
+        if (most_ > 0 && !largest_.torn && strikes &&
+            way.bank.value_or(largest_.bank) == largest_.bank) {
             ways |= 1u << i;
         }
     }

@@ -308,7 +308,7 @@ int run(int argc, char** argv) {
     BotOptions options;
 
     CLI::App* replayCommand = app.add_subcommand("replay", "Play a replay; report expectations");
-    CLI::App* verifyCommand = app.add_subcommand("verify", "Play a replay; compare hashes and expectations");
+    CLI::App* verifyCommand = app.add_subcommand("verify", "Play a replay; judge all its lines");
     for (CLI::App* command : {replayCommand, verifyCommand}) {
         command->add_option("FILE", file, "The replay, or a link to one")->required();
         command->add_flag("--json", json, "Print one JSON object");

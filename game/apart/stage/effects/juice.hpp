@@ -77,7 +77,6 @@ private:
     };
 
     // Effects of each event (juice_events.cpp).
-    void onEvent(const Game& game, const Served& serve);
     void onEvent(const Game& game, const Struck& hit);
     void onEvent(const Game& game, const Cracked& hit);
     void onEvent(const Game& game, const Broke& hit);

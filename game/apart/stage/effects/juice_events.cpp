@@ -205,17 +205,6 @@ void Juice::onEvent(const Game& game, const Collapsed& collapse) {
     }
 }
 
-void Juice::onEvent(const Game& game, const Served& serve) {
-    const auto balls = game.balls();
-    const bool hollow = std::any_of(balls.begin(), balls.end(), [&](const Ball& ball) {
-        return ball.body == serve.ball && ball.hollow;
-    });
-    // In each of the first levels with a building; the ring of the ball is known by then.
-    if (hollow && game.counts().hits == 1 && game.level().theme == Theme::Daybreak) {
-        say(game, {"a hollow ball: fill it", {0, 4}, palette::kAccent, Real(0.6)});
-    }
-}
-
 void Juice::onEvent(const Game& game, const Snapped& snap) {
     burst(blastOf(snap.point, palette::kMachine, 14, 7));
     push(Real(0.15));

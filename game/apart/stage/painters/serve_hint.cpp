@@ -245,7 +245,10 @@ void paintServeHint(Canvas& canvas, const Game& game, const Bindings& keys) {
     }
     const float pulse = 0.75f + 0.25f * std::sin(0.07f * static_cast<float>(game.ticks() % 12000));
     const bool first = game.score() == 0;
-    const std::string serve = keys.anyPrompt(Act::Serve) + " to serve";
+    const bool hollow = std::any_of(game.balls().begin(), game.balls().end(),
+                                    [](const Ball& ball) { return ball.hollow; });
+    const std::string serve =
+        keys.anyPrompt(Act::Serve) + (first && hollow ? " to serve hollow" : " to serve");
     paintFoot(canvas, serve + (first ? ", held: aim" : ""), 0, Align::Middle,
               faded(palette::kText, pulse));
     if (!first) {
