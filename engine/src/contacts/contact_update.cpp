@@ -104,7 +104,7 @@ void replaceManifold(Contact& contact, const ContactLane& lane, const Manifold& 
 constexpr Real kKept = 8;
 // Likewise for two shapes thinner than the slop: a point that was beyond the margin must be found
 // before it has passed to the other side. And for lines: a point must not pass their ends.
-constexpr Real kKeptToBounce = Real(1) / 8;
+constexpr Real kKeptExact = Real(1) / 8;
 constexpr Real kKeptIfThin = 1;
 // Slops of distance at which the paths of two bodies count as touching. Positions in float resolve
 // it up to 128 m from the origin.
@@ -351,8 +351,8 @@ bool isKnown(const Bodies& bodies, const Contact& contact) {
            contact.teleportCounts[1] == bodies.teleportCount[contact.key.bodyB];
 }
 
-bool isOutdated(Real relativeDisplacement, bool bounces, const Tolerances& tolerances) {
-    return relativeDisplacement > (bounces ? kKeptToBounce : kKept) * tolerances.slop;
+bool isOutdated(Real relativeDisplacement, bool exact, const Tolerances& tolerances) {
+    return relativeDisplacement > (exact ? kKeptExact : kKept) * tolerances.slop;
 }
 
 bool followContact(Contact& contact, const ContactLane& lane, const Bodies& bodies,
@@ -366,9 +366,11 @@ bool followContact(Contact& contact, const ContactLane& lane, const Bodies& bodi
     const bool known = isKnown(bodies, contact);
     contact.filled =
         contact.filled && known &&
-        !isOutdated(lane.relativeDisplacement(), contact.bounces, tolerances) &&
-        !arrives(leastOf({lane.separation(0), lane.separation(1)}, contact.manifold.count),
-                 lane.approachSpeed(), tolerances.slop, dt);
+        !isOutdated(lane.relativeDisplacement(),
+                    contact.bounces || arrives(leastOf({lane.separation(0), lane.separation(1)},
+                                                       contact.manifold.count),
+                                               lane.approachSpeed(), tolerances.slop, dt),
+                    tolerances);
     return contact.filled || (known && staysApart(contact, lane, tolerances));
 }
 

@@ -29,7 +29,8 @@ bool followContact(Contact& contact, const ContactLane& lane, const Bodies& bodi
 bool isKnown(const Bodies& bodies, const Contact& contact);
 
 /// True if a manifold must be found again after this relative displacement (m) of the bodies.
-bool isOutdated(Real relativeDisplacement, bool bounces, const Tolerances& tolerances);
+/// `exact`: they bounce, or arrive in this step.
+bool isOutdated(Real relativeDisplacement, bool exact, const Tolerances& tolerances);
 
 /// Finds the manifold for a step of dt (s); new points take over the impulses of old ones.
 void findContact(Contact& contact, const ContactLane& lane, const Bodies& bodies,

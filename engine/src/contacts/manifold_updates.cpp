@@ -71,10 +71,11 @@ private:
     /// True if the lane has all of the contact, and its manifold stays valid.
     bool isCurrent(std::uint32_t slot, const ContactSummary& summary) const {
         return summary.kept &&
-               !isOutdated(lanes.relativeDisplacement(summary.row.index), summary.bounces,
-                           tolerances) &&
-               !arrives(lanes.leastSeparation(summary.row.index), store.approachSpeed(slot),
-                        tolerances.slop, dt);
+               !isOutdated(lanes.relativeDisplacement(summary.row.index),
+                           summary.bounces ||
+                               arrives(lanes.leastSeparation(summary.row.index),
+                                       store.approachSpeed(slot), tolerances.slop, dt),
+                           tolerances);
     }
     /// True if the tight bounds of both parts overlap when one is grown by the margin.
     bool boundsMeet(std::size_t slot) const {
