@@ -52,7 +52,7 @@ TEST(TouchPhase, AGapBelowTheSlopIsATouch) {
 TEST(TouchPhase, AnImpulseIsATouchAtAnyGap) {
     StoredContact contact = contactOf(kTolerances.margin);
     contact.numbers.impulse[1].largest = 2;
-    contact.numbers.total = 2;
+    contact.numbers.total[0] = 2;
     const auto records = recordsOf(contact);
     ASSERT_EQ(records.size(), 1u);
     EXPECT_EQ(records[0].maxImpulse, 2);
@@ -79,7 +79,7 @@ TEST(TouchPhase, AGapAfterATouchEnds) {
 TEST(TouchPhase, TheLargestImpulseIsAtMostTheTotal) {
     StoredContact contact = contactOf(0);
     contact.numbers.impulse[0].largest = 8;
-    contact.numbers.total = 4;
+    contact.numbers.total[0] = 4;
     const auto records = recordsOf(contact);
     ASSERT_EQ(records.size(), 1u);
     EXPECT_EQ(records[0].maxImpulse, 4);
@@ -101,7 +101,7 @@ TEST(TouchPhase, TheImpactCountsAmongTheImpulseGroups) {
     StoredContact contact = contactOf(0);
     contact.numbers.impulse[0] = {1, 5, 2}; // a substep, the impact, the largest substep
     contact.numbers.impulse[1] = {1, 0, 3};
-    contact.numbers.total = 4;
+    contact.numbers.total[0] = 4;
     const auto records = recordsOf(contact);
     ASSERT_EQ(records.size(), 1u);
     EXPECT_EQ(records[0].maxImpulse, 5);

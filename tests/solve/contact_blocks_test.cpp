@@ -163,7 +163,7 @@ TEST(ContactBlocks, LanesMoveTheNumbersOfAContact) {
                          .relativeDisplacement = 4,
                          .impulse = {PointImpulse{static_cast<Real>(i), 5, 6}, {7, 8, 9}},
                          .friction = 10,
-                         .total = 11,
+                         .total = {11, 12},
                          .sliding = i % 2 == 0};
         crowd.contacts[i].material = {.staticFriction = 1, .kineticFriction = 1};
     }
@@ -178,6 +178,7 @@ TEST(ContactBlocks, LanesMoveTheNumbersOfAContact) {
         EXPECT_EQ(numbers.impulse[0].impact, 5);
         EXPECT_EQ(numbers.impulse[1].normal, crowd.contacts[i].manifold.count == 2 ? 7 : 0);
         EXPECT_EQ(numbers.friction, 10);
+        EXPECT_EQ(numbers.total, (std::array<Real, 2>{11, 12}));
         EXPECT_EQ(numbers.sliding, i % 2 == 0);
     };
     for (std::uint32_t i = 0; i < crowd.contacts.size(); ++i) {

@@ -19,7 +19,7 @@ enum class State { Awake, AboutToSleep, Asleep };
 enum class Relation { Touching, Overlapping, Apart };
 
 /// A box A rests on the floor, and the subject B is where the relation says.
-struct Case {
+struct SetterCase {
     State state;
     Relation relation;
     BodyType type;
@@ -48,7 +48,7 @@ Vec2 placeOf(Relation relation) {
 }
 
 /// A dynamic sensor falls, so it is locked. What overlaps without being a sensor is disabled.
-Flags flagsOf(const Case& is) {
+Flags flagsOf(const SetterCase& is) {
     const Flags locked = is.sensor && is.type == BodyType::Dynamic ? kLockMove | kLockRotate : 0;
     const bool disabled = is.relation == Relation::Overlapping && !is.sensor;
     const bool held = disabled && is.type == BodyType::Dynamic;
@@ -56,7 +56,7 @@ Flags flagsOf(const Case& is) {
            (held ? kLockMove | kLockRotate : 0);
 }
 
-Pair build(const Case& is) {
+Pair build(const SetterCase& is) {
     Pair pair{World({.gravity = support::kEarth}), {}, {}};
     support::addFloor(pair.world);
     pair.box = pair.world.add(support::boxDef(kHome, 1, 1));
@@ -324,8 +324,8 @@ void expectSamePlaces(const World& sleeping, const World& awake) {
     }
 }
 
-void expectSleepDoesNotShow(const Case& is, const NamedChange& change, const Pair& sleepingStart,
-                            const Pair& awakeStart, int settled) {
+void expectSleepDoesNotShow(const SetterCase& is, const NamedChange& change,
+                            const Pair& sleepingStart, const Pair& awakeStart, int settled) {
     Pair sleeping = sleepingStart;
     Pair awake = awakeStart;
     Touches one;
@@ -349,7 +349,7 @@ void expectSleepDoesNotShow(const Case& is, const NamedChange& change, const Pai
 
 /// In double and with sanitizers each relation, each type and a sensor are covered, but not each
 /// combination.
-bool isCovered(const Case& is) {
+bool isCovered(const SetterCase& is) {
     const int special = (is.relation != Relation::Touching ? 1 : 0) +
                         (is.type != BodyType::Dynamic ? 1 : 0) + (is.sensor ? 1 : 0);
     return (!support::kSanitized && !support::kDouble) || special <= 1;
@@ -361,7 +361,7 @@ TEST_P(SetterMatrix, SleepDoesNotShowAfterAnyChange) {
     for (const Relation relation : {Relation::Touching, Relation::Overlapping, Relation::Apart}) {
         for (const BodyType type : {BodyType::Dynamic, BodyType::Kinematic, BodyType::Static}) {
             for (const bool sensor : {false, true}) {
-                const Case is{GetParam(), relation, type, sensor};
+                const SetterCase is{GetParam(), relation, type, sensor};
                 if (!isCovered(is)) {
                     continue;
                 }

@@ -90,8 +90,9 @@ Vec2 impulseOn(const World& world, BodyId body) {
     return sum;
 }
 
-// m (v' - v) = m g dt + sum of all impulses: nothing that acts on a tumbling body is left out.
-TEST(TangentImpulse, WithTheNormalImpulseIsTheChangeOfMomentum) {
+// m (v' - v) along the ground is the impulse of friction: nothing that acts on a disc which lands
+// with a spin, bounces and rolls is left out.
+TEST(TangentImpulse, IsTheChangeOfMomentumAlongTheGround) {
     for (const support::Solver solver : support::kSolvers) {
         for (unsigned seed = 1; seed <= 20; ++seed) {
             SCOPED_TRACE(seed);
@@ -100,24 +101,18 @@ TEST(TangentImpulse, WithTheNormalImpulseIsTheChangeOfMomentum) {
             World world({.gravity = {0, -kGravity}, .settings = support::settingsOf(solver)});
             const Material rough = withFriction(Real(0.5), Real(0.4));
             world.add({.shape = Box{200, 1}, .material = rough, .type = BodyType::Static});
-            BodyDef def = support::boxDef({0, 3}, Real(1.2), Real(0.6));
-            def.material = rough;
-            def.angle = 3 * any(random);
+            BodyDef def = support::ballDef({0, 3}, Real(0.5), rough);
             def.velocity = {5 * any(random), 2 * any(random)};
-            def.angularVelocity = 8 * any(random);
+            def.angularVelocity = 40 * any(random);
             const BodyId body = world.add(def);
             const Real mass = world[body].mass();
-            for (int i = 0; i < 120; ++i) {
-                const Vec2 before = world[body].velocity();
+            for (int i = 0; i < 120 && !world[body].isAsleep(); ++i) {
+                const Real before = world[body].velocity().x;
                 world.step(support::kDt);
-                const Vec2 change = mass * (world[body].velocity() - before);
-                const Vec2 expected =
-                    impulseOn(world, body) - Vec2{0, mass * kGravity * support::kDt};
-                ASSERT_LT(length(change - expected), mass * byPrecision(1e-4, 1e-9))
+                const Real change = mass * (world[body].velocity().x - before);
+                ASSERT_LT(std::abs(change - impulseOn(world, body).x),
+                          mass * byPrecision(1e-5, 1e-12))
                     << "step " << i;
-                if (world[body].isAsleep()) {
-                    break;
-                }
             }
         }
     }

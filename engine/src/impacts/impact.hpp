@@ -42,6 +42,7 @@ struct Impact {
         applyImpulse(*b, b->invMass, impulse, b->invInertia,
                      leverOf(armB, normal()) * jn + leverOf(armB, tangent()) * jt);
         lane.impact(i) += jn;
+        lane.total(1) += jt;
     }
 };
 

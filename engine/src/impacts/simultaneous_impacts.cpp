@@ -145,6 +145,7 @@ void SimultaneousImpacts::solve(std::span<const Impact> hits, const Tolerances& 
     }
     for (const Point& point : points_) {
         point.hit->lane.impact(point.index) = point.impact;
+        point.hit->lane.total(1) += point.friction;
         point.a.body->invMass = point.a.mass[0]; // 0 times an infinite impulse is NaN
         point.b.body->invMass = point.b.mass[0];
     }

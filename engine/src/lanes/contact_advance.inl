@@ -41,6 +41,7 @@ KODO_LANES_INLINE void advanceLanes(const AdvanceArguments& pass, ContactBlock& 
         approach = larger(-(speed + (leverB * speedB.z - leverA * speedA.z)), approach); // no -0
     }
     store(block.approachSpeed + at, approach);
+    store(block.total[1] + at, Lanes{}); // impacts add to it before the passes do
     store(block.relativeDisplacement + at,
           load(block.relativeDisplacement + at) +
               (larger(dx, -dx) + larger(dy, -dy) +

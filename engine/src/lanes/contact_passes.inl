@@ -130,7 +130,7 @@ template <Task task>
 KODO_LANES_INLINE void addTotal(ContactBlock& block, int at, Lanes sum, Real kept) {
     if constexpr (task == Task::Relax) {
         store(block.total[0] + at, kept * load(block.total[0] + at) + sum);
-        store(block.total[1] + at, kept * load(block.total[1] + at) + load(block.friction + at));
+        store(block.total[1] + at, load(block.total[1] + at) + load(block.friction + at));
     }
 }
 
