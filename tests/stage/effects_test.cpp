@@ -121,6 +121,11 @@ TEST(Effects, TheFieldOfThePaddleStaysBetweenTheWalls) {
     right.moved = kFieldWidth;
     rig.frame(right);
     rig.frames(60);
+    Signals serve; // before it, the force rests
+    serve.commands = {Command::Launch};
+    rig.frame(serve);
+    rig.frame(); // what was held at the serve does not pull
+    ASSERT_FALSE(rig.stage.session().game().serving());
     const auto countPoints = [&](Real from, Real to) {
         const auto& strokes = rig.picture().strokes();
         return std::count_if(strokes.begin(), strokes.end(), [&](const Stroke& stroke) {
