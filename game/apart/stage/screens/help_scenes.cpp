@@ -292,7 +292,7 @@ const std::array<HelpScene, kHelpTopics>& helpScenes() {
         {HelpTopic::Pull, kPullBlocks, 9, 1080, &pullScript},
         {HelpTopic::Push, kPushBlocks, 8, 1020, &pushScript},
         {HelpTopic::Meter, kMeterBlocks, 12, 1320, &meterScript},
-        {HelpTopic::Moods, kMoodBlocks, 8, 1080, &moodsScript},
+        {HelpTopic::Moods, kMoodBlocks, 7, 1080, &moodsScript},
         {HelpTopic::Combo, kComboBlocks, 102, 840, &comboScript},
         {HelpTopic::Honours, kHonourBlocks, 27, 660, &honoursScript},
     }};
