@@ -100,6 +100,7 @@ TEST_F(TwoGames, TheBetterScoreStaysIfItEndsLast) {
 // I1: one game is delayed after it has read the profile, the other saves meanwhile: its score was
 // lost, since the first one did not know of it.
 TEST_F(TwoGames, TheSecondWaitsWhileTheFirstMergesAndSaves) {
+    fs::create_directories(folder_); // a folder that is missing cannot be locked
     Profile one;
     one.best[0]["a"].score = 10;
     Profile other;
