@@ -17,6 +17,8 @@ constexpr Real kRise = Real(1.2);    // m, over its life; equal for all, so that
 constexpr Real kBusy = 20;           // m of way that one busy area outweighs
 constexpr Real kSolid = 1;           // m of way that one solid area outweighs
 constexpr Real kSolidTitle = 20;     // the same for large letters, which cover more of it
+constexpr Real kUnder = 5;           // m of way that one block close above large letters outweighs
+constexpr Real kSinks = 2;           // m, through which what stands may sink while they are seen
 constexpr Real kLetter = Real(0.72); // width of a bold letter relative to its height
 constexpr Real kBelow = Real(0.25);  // descent below the base line relative to the height
 // Limits to which the points of a popup may grow.
@@ -110,7 +112,8 @@ Vec2 Popups::freePlace(Popup popup, std::span<const Aabb> busy, std::span<const 
     constexpr int kTries = 40; // up and down
     constexpr int kSteps = 13; // left and right
     const Vec2 wanted = heldIn(popup);
-    const Real weight = popup.height >= kTitlePopup || popup.praise ? kSolidTitle : kSolid;
+    const bool large = popup.height >= kTitlePopup || popup.praise;
+    const Real weight = large ? kSolidTitle : kSolid;
     const Vec2 step{Real(0.9), (1 + kBelow) * tall(popup) / 2};
     const auto along = [](int i) {
         return (i % 2 == 1 ? Real(1) : Real(-1)) * static_cast<Real>((i + 1) / 2);
@@ -126,8 +129,11 @@ Vec2 Popups::freePlace(Popup popup, std::span<const Aabb> busy, std::span<const 
                 continue;
             }
             const Aabb whole = wholeWay(popup);
+            const Aabb under{whole.lower, whole.upper + Vec2{0, large ? kSinks : Real(0)}};
+            const std::ptrdiff_t crossed = countIn(solid, whole);
             const Real cost = way + kBusy * static_cast<Real>(countIn(busy, whole)) +
-                              weight * static_cast<Real>(countIn(solid, whole));
+                              weight * static_cast<Real>(crossed) +
+                              kUnder * static_cast<Real>(countIn(solid, under) - crossed);
             if (cost < bestCost) {
                 bestCost = cost;
                 best = popup.place;
