@@ -76,8 +76,8 @@ TEST(WayWatch, TellsTheBlockThatWasStruckBeforeTheFall) {
 }
 
 TEST(WayWatch, TellsABankBeforeTheFirstBlock) {
-    EXPECT_EQ(waysAfter({8, 10}, {16, 0}), 0b011u) << "off the wall at the right";
-    EXPECT_EQ(waysAfter({-8, 10}, {-16, 0}), 0b101u);
+    EXPECT_EQ(waysAfter({11, 10}, {16, 0}), 0b011u) << "off the wall at the right";
+    EXPECT_EQ(waysAfter({-11, 10}, {-16, 0}), 0b101u);
 }
 
 // A serve strikes the bricks, and only later a mount fails.
