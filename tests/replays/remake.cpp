@@ -38,10 +38,10 @@ constexpr const char* kUsage =
 
 constexpr std::uint32_t kServeTick = 90;
 constexpr std::uint32_t kSeeds = 20;
-constexpr int kReach = 9000;      // 1/1000 m; largest target of the paddle
-constexpr int kStride = 300;      // 1/1000 m, between the targets of the first scan
-constexpr int kHalfBall = 300;    // 1/1000 m
-constexpr std::size_t kBest = 30; // candidates whose neighbours are played
+constexpr int kReach = 9000;       // 1/1000 m; largest target of the paddle
+constexpr int kStride = 300;       // 1/1000 m, between the targets of the first scan
+constexpr int kHalfBall = 300;     // 1/1000 m
+constexpr std::size_t kBest = 300; // candidates whose neighbours are played
 constexpr std::uint32_t kLongestScan = kServeTick + 8 * kTicksPerSecond;
 constexpr std::uint32_t kCalmTicks = 2 * kTicksPerSecond; // without a further fall: it is over
 constexpr std::int32_t kLeastFall = 6;                    // as in the test of buildings
