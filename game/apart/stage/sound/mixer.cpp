@@ -11,16 +11,18 @@ namespace {
 
 // Gains that give -16 LUFS in a game with the settings at their start.
 constexpr float kEffects = 0.56f;
-constexpr float kMusic = 0.585f;
+constexpr float kMusic = 0.605f;
 constexpr float kRumble = 1.68f;
 constexpr float kSend = 0.5f;                          // share of the music that goes into the room
 constexpr float kGlide = 1 / (0.25f * kSampleHertz);   // per sample, of rumble and volume of music
 constexpr float kRelease = 1 / (0.12f * kSampleHertz); // per sample, of the limiter
 constexpr float kDuck = 0.8f;                          // share of the music that makes way
-constexpr float kDuckFast = 1 / (0.08f * kSampleHertz); // per sample, down
-constexpr float kDuckSlow = 1 / (1.0f * kSampleHertz);  // per sample, up
-constexpr float kDeep = 0.018f;                         // of the low-pass filters of the rumble
-constexpr float kRough = 0.25f;                         // of that of the roar
+constexpr float kDuckFast = 1 / (0.08f * kSampleHertz);  // per sample, down
+constexpr float kDuckSlow = 1 / (1.0f * kSampleHertz);   // per sample, up
+constexpr float kMeanGlide = 1 / (20.0f * kSampleHertz); // per sample, of the mean of the rumble
+constexpr float kUsualRumble = 0.22f;                    // that mean in most games
+constexpr float kDeep = 0.018f;                          // of the low-pass filters of the rumble
+constexpr float kRough = 0.25f;                          // of that of the roar
 
 /// What may be cut off for what: a higher number is more important.
 int priorityOf(Voice voice) {
@@ -137,11 +139,12 @@ Frame Mixer::voices(float& send) {
 }
 
 /// What all that falls sounds like together: a low noise, a roar above it, and the cracks of
-/// single pieces.
+/// single pieces. It is softer where much falls, and louder after a calm.
 Frame Mixer::rumble() {
     constexpr float kCracks = 150 / kSampleHertz;                            // per sample, at most
     static const float kCrackFades = std::exp(-1 / (0.012f * kSampleHertz)); // per sample
     rumbleNow_ += kGlide * (scene_.rumble * scene_.volume - rumbleNow_);
+    rumbleMean_ += kMeanGlide * (rumbleNow_ - rumbleMean_);
     if (rumbleNow_ < 1e-4f) {
         return {};
     }
@@ -154,8 +157,9 @@ Frame Mixer::rumble() {
         crack_ = dice_.between(0.2f, 1);
         crackSide_ = dice_.between(-0.4f, 0.4f);
     }
-    const float low = 4 * rumbleNow_ * growl_[1];
-    const float rough = rumbleNow_ * (0.45f + 0.9f * crack_) * (roar_ - growl_[0]);
+    const float loud = rumbleNow_ * kUsualRumble / std::max(rumbleMean_, kUsualRumble / 2);
+    const float low = 4 * loud * growl_[1];
+    const float rough = loud * (0.45f + 0.9f * crack_) * (roar_ - growl_[0]);
     return {low + rough * (1 - crackSide_), low + rough * (1 + crackSide_)};
 }
 

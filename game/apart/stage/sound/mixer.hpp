@@ -64,6 +64,7 @@ private:
     float crack_ = 0;              // level of the last crack
     float crackSide_ = 0;          // where it is, -1..1
     float rumbleNow_ = 0;
+    float rumbleMean_ = 0.22f; // of the last 20 s; at first that of most games
     float musicNow_ = 0;
     float duckNow_ = 0; // 0..1, how far the music makes way for a fall
     float gain_ = 1;    // of the limiter
