@@ -64,7 +64,7 @@ for engine in ("kodo", "kodo64"):
     check(wanted.items() <= printed.items(), f"wanted {wanted}, printed {printed}")
     # At most 100 bytes per row in float.
     rows = printed["bytesPerContactRow"]
-    check(0 < rows <= (120 if engine == "kodo" else 224), f"rows: {printed}")
+    check(0 < rows <= (120 if engine == "kodo" else 232), f"rows: {printed}")
     check(printed["bytesPerContact"] > printed["bytesPerContactRow"], f"contacts: {printed}")
     bytes_printed = printed["bytesPerBody"]  # None without a count, as under a sanitizer
     check(bytes_printed is None or bytes_printed > 50, f"bytes of bodies: {printed}")
