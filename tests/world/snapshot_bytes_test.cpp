@@ -26,7 +26,7 @@ const Change kChanges[] = {
     {"remove five",
      [](World& w) {
          const std::vector<BodyId> all = w.bodies();
-         for (const std::size_t i : {2, 3, 4, 9, 10}) {
+         for (const std::size_t i : {2u, 3u, 4u, 9u, 10u}) {
              w.remove(all[i]);
          }
      }},
