@@ -73,7 +73,7 @@ TEST_F(TextFile, ALinkStaysAndItsTargetIsWritten) {
 // I4: as an editor saves a file.
 TEST_F(TextFile, SavingKeepsTheModeOfAFile) {
     const fs::path file = folder_ / "file";
-    for (const mode_t mode : {0600, 0640, 0664, 0755}) {
+    for (const mode_t mode : {0600u, 0640u, 0664u, 0755u}) {
         ASSERT_FALSE(writeTextFile(file, "one"));
         ASSERT_EQ(chmod(file.c_str(), mode), 0);
         ASSERT_FALSE(writeTextFile(file, "two"));
