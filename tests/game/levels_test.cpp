@@ -52,7 +52,7 @@ TEST(Levels, HaveUniqueTitlesAndIdeas) {
     EXPECT_EQ(ideas.size(), levels.size());
 }
 
-constexpr std::uint32_t kSeeds = support::kSanitized ? 1 : 6;
+constexpr std::uint32_t kSeeds = 6;
 
 /// Share of the games that the clumsy bot wins.
 double shareOfWins(const std::vector<Level>& levels, Theme theme) {
