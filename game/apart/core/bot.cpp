@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <apart/core/absent_bot.hpp>
 #include <apart/core/bot.hpp>
 #include <apart/core/flight.hpp>
 #include <apart/core/generator.hpp>
@@ -6,7 +7,6 @@
 #include <apart/core/tuning.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace apart {
@@ -312,19 +312,6 @@ Input keyBot(const Game& game, const Hand& hand) {
         const Real way = goal - game.world()[game.paddle()].position().x;
         const Real share = std::clamp(way / (kKeySpeed * kTickSeconds), Real(-1), Real(1));
         input.paddle = static_cast<std::int8_t>(share * 127);
-    }
-    return input;
-}
-
-/// Without a move of the paddle. Of 24 seeds in a row each has other aims or another force.
-Input absentBot(const Game& game) {
-    constexpr std::array<std::int16_t, 7> kHeld = {-1200, -600, -400, 0, 400, 600, 1200};
-    constexpr auto kForces = static_cast<std::uint32_t>(kForceNames.size());
-    Input input{.launch = game.ticks() % (kTicksPerSecond / 2) < 2,
-                .force = static_cast<Force>(game.seed() % kForces)};
-    const std::size_t aim = game.seed() / kForces % (kHeld.size() + 1);
-    if (aim < kHeld.size()) {
-        input.aim = kHeld[aim]; // else the direction that the game draws
     }
     return input;
 }

@@ -48,8 +48,8 @@ std::string notAFile(std::filesystem::file_status status);
 /// Writes a temporary file beside `path`, brings it to the disk and then renames it, so that a
 /// failure keeps the old file. Its name is its own, so that two programs may save at once. Mode and
 /// owner stay, and a symbolic link does: its target is written. A file with several names (hard
-/// links) is written in place. Refused are one that nobody may write to, and a pipe or a device,
-/// which the renamed file would replace.
+/// links) is written in place. A file without write permission is refused, and so is a pipe or a
+/// device, which the renamed file would replace.
 std::optional<FileProblem> writeTextFile(const std::filesystem::path& path, std::string_view text);
 
 /// While one lives and is held, no other one is, in any process: around reading a file, merging
