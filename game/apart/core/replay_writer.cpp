@@ -56,9 +56,13 @@ std::string toText(const Replay& replay) {
     for (const auto& [tick, input] : replay.inputs) {
         text += std::to_string(tick) + " " + std::to_string(input.paddle) + " " +
                 (input.target ? std::to_string(*input.target) : "-") +
-                (input.launch ? " 1 " : " 0 ") +
-                std::string(kForceNames[static_cast<std::size_t>(input.force)]) +
-                (input.aim ? " " + std::to_string(*input.aim) : "") + "\n";
+                (input.launch ? " 1 " : " 0 ");
+        text += kForceNames[static_cast<std::size_t>(input.force)];
+        if (input.aim) {
+            text += ' ';
+            text += std::to_string(*input.aim);
+        }
+        text += '\n';
     }
     for (const HashMark& mark : replay.hashes) {
         text += "hash " + std::to_string(mark.tick) + " " + toHex(mark.hash) + "\n";
