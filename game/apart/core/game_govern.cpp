@@ -37,8 +37,8 @@ void governBall(GameState& game, Ball& ball) {
         if (!hit.involves(ball.body)) {
             continue;
         }
-        touching = touching || hit.maxPointImpulse() > 0 || hit.separation < 0;
-        if (hit.maxPointImpulse() > 0) {
+        touching = touching || hit.maxImpulse > 0 || hit.separation < 0;
+        if (hit.maxImpulse > 0) {
             normals.push_back(hit.b == ball.body ? hit.normal : -hit.normal);
             rubble = rubble || game.isRubble(hit.other(ball.body));
             carried = carried || game.canCarry(hit.other(ball.body));

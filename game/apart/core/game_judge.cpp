@@ -31,7 +31,7 @@ bool isSolid(const kodo::World& world, BodyId body) {
 
 /// True for most records: a resting contact between blocks, shards and walls changes nothing.
 bool isRest(const GameState& game, const CollisionRecord& hit) {
-    return hit.maxPointImpulse() < kSlightestImpact && isSolid(game.world, hit.a) &&
+    return hit.maxImpulse < kSlightestImpact && isSolid(game.world, hit.a) &&
            isSolid(game.world, hit.b);
 }
 
@@ -57,7 +57,7 @@ void judge(GameState& game) {
         return;
     }
     for (const CollisionRecord& hit : game.world.collisions()) {
-        if (hit.maxPointImpulse() <= 0 || isRest(game, hit)) {
+        if (hit.maxImpulse <= 0 || isRest(game, hit)) {
             continue;
         }
         for (const BodyId body : {hit.a, hit.b}) {
@@ -130,7 +130,7 @@ void judgeBall(GameState& game, const CollisionRecord& hit, BodyId ball) {
             game.world[ball].setMassFromDensity();
         }
     }
-    if (hit.maxPointImpulse() < slightest) {
+    if (hit.maxImpulse < slightest) {
         return;
     }
     if (what == Role::Paddle) {
@@ -144,13 +144,13 @@ void judgeBall(GameState& game, const CollisionRecord& hit, BodyId ball) {
                                     .letter = block != nullptr ? block->kind.letter : char{0},
                                     .point = hit.point,
                                     .normal = normalTowards(hit, ball),
-                                    .impulse = hit.maxPointImpulse()});
+                                    .impulse = hit.maxImpulse});
 }
 
 void judgeBlock(GameState& game, const CollisionRecord& hit, BodyId body) {
     const bool drawnIn =
         game.paddle.field.force == Force::Pull && hit.other(body) == game.paddle.body;
-    if (!drawnIn && hit.maxPointImpulse() < kSlightestImpact) {
+    if (!drawnIn && hit.maxImpulse < kSlightestImpact) {
         return; // most records: resting contacts
     }
     const auto index =
@@ -170,7 +170,7 @@ void judgeBlock(GameState& game, const CollisionRecord& hit, BodyId body) {
         game.world.contains(other) && roleOf(game.world[other].flags()) == Role::Ball;
     const bool pressed =
         (game.world[body].flags() & kStands) != 0 && !byBall && hit.approachSpeed < kHarmlessSpeed;
-    if (!block.kind.breakable() || hit.maxPointImpulse() < kSlightestImpact || pressed) {
+    if (!block.kind.breakable() || hit.maxImpulse < kSlightestImpact || pressed) {
         return;
     }
     const bool hollow =
@@ -180,7 +180,7 @@ void judgeBlock(GameState& game, const CollisionRecord& hit, BodyId body) {
         game.clock.progress();
     }
     const Real damage =
-        hollow ? std::min(hit.maxPointImpulse(), block.strengthLeft / 2) : hit.maxPointImpulse();
+        hollow ? std::min(hit.maxImpulse, block.strengthLeft / 2) : hit.maxImpulse;
     if (damage > block.strengthLeft) {
         const Vec2 impact = hit.totalImpulse * normalTowards(hit, body);
         if (block.support == Support::Boss) {
@@ -196,14 +196,14 @@ void judgeBlock(GameState& game, const CollisionRecord& hit, BodyId body) {
                                      .key = block.key,
                                      .stuff = block.kind.stuff,
                                      .point = hit.point,
-                                     .impulse = hit.maxPointImpulse(),
+                                     .impulse = hit.maxImpulse,
                                      .strengthLeft = block.strengthLeft / full});
 }
 
 void judgeShard(GameState& game, const CollisionRecord& hit, BodyId body) {
     const bool drawnIn =
         game.paddle.field.force == Force::Pull && hit.other(body) == game.paddle.body;
-    if (!drawnIn && hit.maxPointImpulse() < kSlightestImpact) {
+    if (!drawnIn && hit.maxImpulse < kSlightestImpact) {
         return; // most records: resting contacts of shards
     }
     const auto found = std::find_if(game.shards.begin(), game.shards.end(),
@@ -216,9 +216,9 @@ void judgeShard(GameState& game, const CollisionRecord& hit, BodyId body) {
     if (found->stuff == Stuff::Steel) {
         return;
     }
-    found->strengthLeft -= hit.maxPointImpulse();
+    found->strengthLeft -= hit.maxImpulse;
     if (found->strengthLeft < 0) {
-        breakShard(game, index, hit.point, hit.maxPointImpulse());
+        breakShard(game, index, hit.point, hit.maxImpulse);
     }
 }
 
@@ -275,7 +275,7 @@ void catchPart(GameState& game, std::size_t index, const CollisionRecord& hit) {
         return;
     }
     game.counts.score += kCatchPoints;
-    game.events.emplace_back(Caught{body, power, hit.point, hit.maxPointImpulse()});
+    game.events.emplace_back(Caught{body, power, hit.point, hit.maxImpulse});
     if (power == Power::Launch) {
         kodo::BodyRef stuck = game.world[body];
         stuck.setType(kodo::BodyType::Kinematic);
@@ -313,15 +313,15 @@ void judgePaddle(GameState& game, const CollisionRecord& hit) {
                               {paddle.mass(), {}, paddle.inertia()}, hit.point - paddle.center(),
                               hit.totalImpulse * normalTowards(hit, game.paddle.body));
     const std::size_t part = partOf(hit, game.paddle.body);
-    if (part == 0 || hit.maxPointImpulse() < kSlightestImpact) {
+    if (part == 0 || hit.maxImpulse < kSlightestImpact) {
         return;
     }
     Weld& weld = game.paddle.welds[part - 1];
-    weld.strengthLeft = hit.maxPointImpulse() < kKnockOffImpact
-                            ? weld.strengthLeft - hit.maxPointImpulse()
+    weld.strengthLeft = hit.maxImpulse < kKnockOffImpact
+                            ? weld.strengthLeft - hit.maxImpulse
                             : Real(-1);
     weld.lastPoint = hit.point;
-    weld.lastImpulse = hit.maxPointImpulse();
+    weld.lastImpulse = hit.maxImpulse;
 }
 
 void judgeObstruction(GameState& game, const CollisionRecord& hit, BodyId body) {
@@ -332,7 +332,7 @@ void judgeObstruction(GameState& game, const CollisionRecord& hit, BodyId body) 
     }
     kodo::BodyRef other = game.world[hit.other(body)];
     const bool impact =
-        hit.phase == kodo::TouchPhase::Begin || hit.maxPointImpulse() >= kSlightestImpact;
+        hit.phase == kodo::TouchPhase::Begin || hit.maxImpulse >= kSlightestImpact;
     if (!impact || other.type() != kodo::BodyType::Dynamic) {
         return;
     }

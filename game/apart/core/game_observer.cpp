@@ -20,7 +20,7 @@ constexpr Real kStraight = Real(2e-6);
 bool touches(const Game& game, kodo::BodyId ball) {
     const auto hits = game.world().collisions();
     return std::any_of(hits.begin(), hits.end(), [&](const kodo::CollisionRecord& hit) {
-        return hit.involves(ball) && (hit.maxPointImpulse() > 0 || hit.separation < 0);
+        return hit.involves(ball) && (hit.maxImpulse > 0 || hit.separation < 0);
     });
 }
 
