@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
 
 namespace {
 
@@ -53,6 +54,34 @@ TEST(Game, AHollowBallCracksButBreaksNothing) {
     }
     EXPECT_TRUE(cracked);
     EXPECT_TRUE(game.balls()[0].hollow);
+}
+
+/// N s; the blow that cracks a block whose lowest point, `reach` below its centre, falls 0.5 m to the
+/// ground, from 4 m/s on.
+kodo::Real blowOfALanding(kodo::Real angle, kodo::Real reach) {
+    Game game(columnAboveGround("stone"), 1);
+    GameTestAccess::countHit(game);
+    kodo::BodyRef block = GameTestAccess::world(game)[game.blocks()[0].body];
+    block.setPosition({-8, kodo::Real(4.5) + reach});
+    block.setRotation(kodo::Rot::fromAngle(angle));
+    block.setVelocity({0, -4});
+    for (int i = 0; i < 60; ++i) {
+        game.tick({});
+        if (const auto* cracked = eventOf<Cracked>(game)) {
+            return cracked->impulse;
+        }
+    }
+    return 0;
+}
+
+// A strength in N s means the same for a face as for a corner below the centre.
+TEST(Damage, OfAFlatLandingIsThatOfACorner) {
+    const kodo::Real half = kCellHeight / 2;
+    const kodo::Real flat = blowOfALanding(0, half);
+    const kodo::Real corner =
+        blowOfALanding(std::numbers::pi_v<kodo::Real> / 4, half * std::numbers::sqrt2_v<kodo::Real>);
+    EXPECT_GT(flat, kSlightestImpact);
+    EXPECT_NEAR(corner / flat, 1, 0.02); // gravity in the substeps of the tick counts as well
 }
 
 /// Three blocks fall 4 m to the ground.
