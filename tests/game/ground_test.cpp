@@ -56,8 +56,8 @@ TEST(Game, AHollowBallCracksButBreaksNothing) {
     EXPECT_TRUE(game.balls()[0].hollow);
 }
 
-/// N s; the blow that cracks a block whose lowest point, `reach` below its centre, falls 0.5 m to the
-/// ground, from 4 m/s on.
+/// N s; the blow that cracks a block whose lowest point, `reach` below its centre, falls 0.5 m to
+/// the ground, from 4 m/s on.
 kodo::Real blowOfALanding(kodo::Real angle, kodo::Real reach) {
     Game game(columnAboveGround("stone"), 1);
     GameTestAccess::countHit(game);
@@ -78,8 +78,8 @@ kodo::Real blowOfALanding(kodo::Real angle, kodo::Real reach) {
 TEST(Damage, OfAFlatLandingIsThatOfACorner) {
     const kodo::Real half = kCellHeight / 2;
     const kodo::Real flat = blowOfALanding(0, half);
-    const kodo::Real corner =
-        blowOfALanding(std::numbers::pi_v<kodo::Real> / 4, half * std::numbers::sqrt2_v<kodo::Real>);
+    const kodo::Real corner = blowOfALanding(std::numbers::pi_v<kodo::Real> / 4,
+                                             half * std::numbers::sqrt2_v<kodo::Real>);
     EXPECT_GT(flat, kSlightestImpact);
     EXPECT_NEAR(corner / flat, 1, 0.02); // gravity in the substeps of the tick counts as well
 }

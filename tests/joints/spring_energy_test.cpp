@@ -214,7 +214,7 @@ std::vector<StepSettings> solversWith(int substeps) {
 // F1: tension turns the arms of light bodies by more than 2 rad in a substep. Their inertia is
 // bounded from below, so the row gains no energy at any number of substeps.
 TEST(SpringEnergy, ARowOnTheRimsOfLightBodiesGainsNone) {
-    for (const int substeps : support::variants({2, 1, 5, 16})) {
+    for (const int substeps : support::variants({5, 2, 1, 16})) {
         for (const StepSettings& settings : solversWith(substeps)) {
             for (const Shape& shape :
                  {Shape(Box{Real(0.2), Real(0.2)}), Shape(Circle{Real(0.1)})}) {

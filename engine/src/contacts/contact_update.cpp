@@ -99,12 +99,9 @@ void replaceManifold(Contact& contact, const ContactLane& lane, const Manifold& 
     }
 }
 
-// Slops of relative displacement up to which a manifold is kept. With restitution it is small:
-// impact impulses that act on two parallel lines would form a couple and rotate both bodies.
-constexpr Real kKept = 8;
-// Likewise for two shapes thinner than the slop: a point that was beyond the margin must be found
-// before it has passed to the other side. And for lines: a point must not pass their ends.
-constexpr Real kKeptExact = Real(1) / 8;
+// Slops of relative displacement up to which the manifold of two shapes thinner than the slop is
+// kept: a point that was beyond the margin must be found before it has passed to the other side.
+// And of lines: a point must not pass their ends.
 constexpr Real kKeptIfThin = 1;
 // Slops of distance at which the paths of two bodies count as touching. Positions in float resolve
 // it up to 128 m from the origin.
@@ -127,7 +124,7 @@ Real keptOnCorner(const Contact& contact, const Bodies& bodies, Real slop) {
     };
     const Real lever =
         std::min(leverIfFree(contact.key.bodyA, p.armA), leverIfFree(contact.key.bodyB, p.armB));
-    return std::min(lever / 4, kKept * slop);
+    return std::min(lever / 4, kKeptWay * slop);
 }
 
 /// Adds the relative displacement of the last step.
@@ -288,8 +285,8 @@ void findContact(Contact& contact, const ContactLane& lane, const Bodies& bodies
     const Real kept = thicker < tolerances.slop || ofLine ? kKeptIfThin * tolerances.slop
                       : onOneCorner(contact, bodies)
                           ? keptOnCorner(contact, bodies, tolerances.slop)
-                          : kKept * tolerances.slop;
-    lane.relativeDisplacement() = kKept * tolerances.slop - kept;
+                          : kKeptWay * tolerances.slop;
+    lane.relativeDisplacement() = kKeptWay * tolerances.slop - kept;
     if (passes) {
         lane.expire();
     }
@@ -349,10 +346,6 @@ bool removePassing(Manifold& manifold, const Contact& contact, const Bodies& bod
 bool isKnown(const Bodies& bodies, const Contact& contact) {
     return contact.teleportCounts[0] == bodies.teleportCount[contact.key.bodyA] &&
            contact.teleportCounts[1] == bodies.teleportCount[contact.key.bodyB];
-}
-
-bool isOutdated(Real relativeDisplacement, bool exact, const Tolerances& tolerances) {
-    return relativeDisplacement > (exact ? kKeptExact : kKept) * tolerances.slop;
 }
 
 bool followContact(Contact& contact, const ContactLane& lane, const Bodies& bodies,

@@ -28,9 +28,16 @@ bool followContact(Contact& contact, const ContactLane& lane, const Bodies& bodi
 /// False if a body was teleported: the relative displacement is then meaningless.
 bool isKnown(const Bodies& bodies, const Contact& contact);
 
+/// Slops of relative displacement up to which a manifold is kept. With restitution it is small:
+/// impact impulses that act on two parallel lines would form a couple and rotate both bodies.
+constexpr Real kKeptWay = 8;
+constexpr Real kKeptExactly = Real(1) / 8;
+
 /// True if a manifold must be found again after this relative displacement (m) of the bodies.
 /// `exact`: they bounce, or arrive in this step.
-bool isOutdated(Real relativeDisplacement, bool exact, const Tolerances& tolerances);
+inline bool isOutdated(Real relativeDisplacement, bool exact, const Tolerances& tolerances) {
+    return relativeDisplacement > (exact ? kKeptExactly : kKeptWay) * tolerances.slop;
+}
 
 /// Finds the manifold for a step of dt (s); new points take over the impulses of old ones.
 void findContact(Contact& contact, const ContactLane& lane, const Bodies& bodies,

@@ -70,12 +70,15 @@ private:
     }
     /// True if the lane has all of the contact, and its manifold stays valid.
     bool isCurrent(std::uint32_t slot, const ContactSummary& summary) const {
-        return summary.kept &&
-               !isOutdated(lanes.relativeDisplacement(summary.row.index),
-                           summary.bounces ||
-                               arrives(lanes.leastSeparation(summary.row.index),
-                                       store.approachSpeed(slot), tolerances.slop, dt),
-                           tolerances);
+        if (!summary.kept) {
+            return false;
+        }
+        const std::uint32_t row = summary.row.index;
+        const Real moved = lanes.relativeDisplacement(row);
+        return !isOutdated(moved, true, tolerances) ||
+               (!isOutdated(moved, false, tolerances) && !summary.bounces &&
+                !arrives(lanes.leastSeparation(row), store.approachSpeed(slot), tolerances.slop,
+                         dt));
     }
     /// True if the tight bounds of both parts overlap when one is grown by the margin.
     bool boundsMeet(std::size_t slot) const {

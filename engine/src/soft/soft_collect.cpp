@@ -119,6 +119,22 @@ void SoftSolver::collect(const StepInput& step) {
                   });
 }
 
+/// Marks both bodies as touched or near, and counts deep overlaps. A body that leaves is only near,
+/// so it follows its parabola from the impact on.
+inline void SoftSolver::markExposure(const StepInput& step, std::uint32_t place, bool leaves) {
+    const ContactSummary& summary = step.contactSet.summaries()[place];
+    const Bodies& bodies = step.bodies;
+    const WorkerTeam& team = step.team;
+    const Real slop = step.tolerances.slop;
+    const Real separation = step.contactSet.store().separation(place);
+    std::uint8_t* const marks = separation <= slop && !leaves ? touched_.data() : near_.data();
+    WorkerTeam::mark(marks[summary.bodyA]);
+    WorkerTeam::mark(marks[summary.bodyB]);
+    if (separation < -4 * slop) {
+        countOverlap(bodies, summary, team);
+    }
+}
+
 /// First the kept contacts, by their summaries alone, then the others.
 void SoftSolver::collectPiece(const StepInput& step, std::span<const std::uint32_t> places,
                               std::vector<std::uint32_t>& newcomers) {
@@ -161,22 +177,6 @@ void SoftSolver::collectPiece(const StepInput& step, std::span<const std::uint32
         }
         markExposure(step, place, departure != Departure::None);
     });
-}
-
-/// Marks both bodies as touched or near, and counts deep overlaps. A body that leaves is only near,
-/// so it follows its parabola from the impact on.
-void SoftSolver::markExposure(const StepInput& step, std::uint32_t place, bool leaves) {
-    const ContactSummary& summary = step.contactSet.summaries()[place];
-    const Bodies& bodies = step.bodies;
-    const WorkerTeam& team = step.team;
-    const Real slop = step.tolerances.slop;
-    const Real separation = step.contactSet.store().separation(place);
-    std::uint8_t* const marks = separation <= slop && !leaves ? touched_.data() : near_.data();
-    WorkerTeam::mark(marks[summary.bodyA]);
-    WorkerTeam::mark(marks[summary.bodyB]);
-    if (separation < -4 * slop) {
-        countOverlap(bodies, summary, team);
-    }
 }
 
 /// Counts an overlap beyond four slops for both bodies.

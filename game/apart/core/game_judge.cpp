@@ -179,8 +179,7 @@ void judgeBlock(GameState& game, const CollisionRecord& hit, BodyId body) {
     if (block.counts() && !hollow) { // a hollow ball clears nothing
         game.clock.progress();
     }
-    const Real damage =
-        hollow ? std::min(hit.maxImpulse, block.strengthLeft / 2) : hit.maxImpulse;
+    const Real damage = hollow ? std::min(hit.maxImpulse, block.strengthLeft / 2) : hit.maxImpulse;
     if (damage > block.strengthLeft) {
         const Vec2 impact = hit.totalImpulse * normalTowards(hit, body);
         if (block.support == Support::Boss) {
@@ -317,9 +316,8 @@ void judgePaddle(GameState& game, const CollisionRecord& hit) {
         return;
     }
     Weld& weld = game.paddle.welds[part - 1];
-    weld.strengthLeft = hit.maxImpulse < kKnockOffImpact
-                            ? weld.strengthLeft - hit.maxImpulse
-                            : Real(-1);
+    weld.strengthLeft =
+        hit.maxImpulse < kKnockOffImpact ? weld.strengthLeft - hit.maxImpulse : Real(-1);
     weld.lastPoint = hit.point;
     weld.lastImpulse = hit.maxImpulse;
 }
@@ -331,8 +329,7 @@ void judgeObstruction(GameState& game, const CollisionRecord& hit, BodyId body) 
         return; // the pin of a hanging block, or a passive obstruction
     }
     kodo::BodyRef other = game.world[hit.other(body)];
-    const bool impact =
-        hit.phase == kodo::TouchPhase::Begin || hit.maxImpulse >= kSlightestImpact;
+    const bool impact = hit.phase == kodo::TouchPhase::Begin || hit.maxImpulse >= kSlightestImpact;
     if (!impact || other.type() != kodo::BodyType::Dynamic) {
         return;
     }
