@@ -70,11 +70,8 @@ private:
     }
     /// True if the lane has all of the contact, and its manifold stays valid.
     bool isCurrent(std::uint32_t slot, const ContactSummary& summary) const {
-        if (!summary.kept) {
-            return false;
-        }
         const std::uint32_t row = summary.row.index;
-        const Real moved = lanes.relativeDisplacement(row);
+        const Real moved = summary.kept ? lanes.relativeDisplacement(row) : ContactLane::kExpired;
         return !isOutdated(moved, true, tolerances) ||
                (!isOutdated(moved, false, tolerances) && !summary.bounces &&
                 !arrives(lanes.leastSeparation(row), store.approachSpeed(slot), tolerances.slop,

@@ -14,6 +14,9 @@ namespace {
 constexpr int kMostIterations = 100;
 // Of the fastest approach: the change of a speed in one iteration at which the result is final.
 constexpr Real kFinal = sizeof(Real) == 4 ? Real(1e-6) : Real(1e-12);
+// Where no contact bounces, the contact solver follows, and mends what is left.
+constexpr int kFewIterations = 30;
+constexpr Real kNearlyFinal = Real(0.01);
 // Share of the energy that moves at which a gain is not an error of the iteration.
 constexpr Real kGain = Real(2e-5);
 
@@ -134,14 +137,14 @@ void SimultaneousImpacts::solve(std::span<const Impact> hits, const Tolerances& 
     const bool bounces = std::any_of(hits.begin(), hits.end(), [](const Impact& hit) {
         return hit.contact->material.restitution > 0;
     });
-    if (!bounces) {
-        iterate(0, 1); // the contact solver follows
-    } else if (!iterate(kFinal * fastest, kMostIterations)) {
+    const int most = bounces ? kMostIterations : kFewIterations;
+    const Real tolerance = (bounces ? kFinal : kNearlyFinal) * fastest;
+    if (!iterate(tolerance, most)) {
         undo();
         iterate(0, 1);
     } else if (gainsEnergy()) {
         undo();
-        iterate(kFinal * fastest, kMostIterations);
+        iterate(tolerance, most);
     }
     for (const Point& point : points_) {
         point.hit->lane.impact(point.index) = point.impact;

@@ -19,8 +19,7 @@ inline namespace KODO_PRECISION {
 /// The velocities after the impact are unique, whatever the order of the contacts. The energy
 /// changes by sum(J (v_n + v_n')) / 2 <= 0, by 0 for e = 1, and grows for e > 1. Friction is
 /// Coulomb's at each point, |J_t| <= mu J, and left out where it would gain energy. Projected
-/// Gauss-Seidel. Without a solution, as between two walls that close, each point is hit once, and
-/// so it is where no contact bounces: the contact solver follows.
+/// Gauss-Seidel. Without a solution, as between two walls that close, each point is hit once.
 class SimultaneousImpacts {
 public:
     /// Applies the impulses to the bodies, and adds them to PointImpulse::impact.
