@@ -90,6 +90,45 @@ TEST(Blow, IsMadeByNoHollowBallUntilThePaddleFillsIt) {
     EXPECT_EQ(game.counts().bestBlow, 2);
 }
 
+/// True if the ball is hollow after a paddle that went so far (mm) and back has returned the serve.
+bool isHollowAfter(Mode mode, std::int16_t way) {
+    Game game(column().state().origin.level, 1, mode);
+    game.tick({.launch = true, .aim = std::int16_t{0}});
+    for (int i = 0; i < 480 && game.counts().hits < 2; ++i) {
+        game.tick({.target = i < 60 ? way : std::int16_t{0}});
+    }
+    EXPECT_EQ(game.counts().hits, 2);
+    return game.balls()[0].hollow;
+}
+
+TEST(Hollow, IsFilledByAPaddleThatWentItsWayAndByNoTwitch) {
+    for (const Mode mode : {Mode::Standard, Mode::Assisted, Mode::Pure}) {
+        EXPECT_TRUE(isHollowAfter(mode, 0));
+        EXPECT_TRUE(isHollowAfter(mode, 200));
+        EXPECT_FALSE(isHollowAfter(mode, 500));
+    }
+}
+
+TEST(Hollow, ABallThatStaysAboveIsServedAgainAndCostsNoLife) {
+    Game game = column();
+    game.tick({.launch = true});
+    const std::int32_t lives = game.counts().lives;
+    for (std::uint32_t i = 0; i < kFailTicks + 10 && !game.serving(); ++i) {
+        kodo::BodyRef ball = GameTestAccess::world(game)[game.balls()[0].body];
+        ball.setPosition({0, 12});
+        ball.setVelocity({0, 12});
+        game.tick({});
+    }
+    EXPECT_TRUE(game.serving());
+    EXPECT_EQ(game.balls().size(), 1u);
+    EXPECT_TRUE(game.balls()[0].hollow);
+    EXPECT_EQ(game.counts().lives, lives);
+    EXPECT_EQ(game.counts().hits, 1); // the next serve is another
+    playOn(game, 3);
+    game.tick({.launch = true});
+    EXPECT_EQ(game.counts().hits, 2);
+}
+
 TEST(Blow, EndsWithATearAndTheNextHitBeginsOne) {
     Game game = row();
     ASSERT_TRUE(waitFor(game, LetGo::Why::Torn, kPull, static_cast<int>(kFailTicks)));

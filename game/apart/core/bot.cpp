@@ -16,21 +16,21 @@ using kodo::Vec2;
 
 namespace {
 
-constexpr Real kRimMargin = Real(0.4);     // m; unused border of the dome
-constexpr Real kCatchHeight = 7;           // m; higher parts are ignored
-constexpr Real kSpareSeconds = Real(0.5);  // to return from a caught part to the ball
-constexpr Real kFarSeconds = 20;           // later arrivals are not predicted
-constexpr std::uint32_t kAimTicks = 600;   // then it picks another target
-constexpr int kBentSteps = 90;             // of the prediction of bent paths
-constexpr Real kPullHeight = 8;            // m; lower balls are not pulled
-constexpr Real kPullSpare = 1;             // s; if a ball arrives earlier, no block is torn
-constexpr std::uint32_t kWhimTicks = 30;   // duration of a random choice of Erratic
-constexpr int kAttempts = 3;               // to find a block in sight
-constexpr Real kTriedSeconds = 3;          // without damage; then luck may help
-constexpr int kShots = 8;                  // tested on each side of the paddle's middle
-constexpr Real kLeapSeconds = Real(0.05);  // before the ball arrives
-constexpr Real kNudgeSeconds = Real(0.05); // likewise; a paddle that has not moved then does
-constexpr Real kNudge = Real(0.05);        // m
+constexpr Real kRimMargin = Real(0.4);    // m; unused border of the dome
+constexpr Real kCatchHeight = 7;          // m; higher parts are ignored
+constexpr Real kSpareSeconds = Real(0.5); // to return from a caught part to the ball
+constexpr Real kFarSeconds = 20;          // later arrivals are not predicted
+constexpr std::uint32_t kAimTicks = 600;  // then it picks another target
+constexpr int kBentSteps = 90;            // of the prediction of bent paths
+constexpr Real kPullHeight = 8;           // m; lower balls are not pulled
+constexpr Real kPullSpare = 1;            // s; if a ball arrives earlier, no block is torn
+constexpr std::uint32_t kWhimTicks = 30;  // duration of a random choice of Erratic
+constexpr int kAttempts = 3;              // to find a block in sight
+constexpr Real kTriedSeconds = 3;         // without damage; then luck may help
+constexpr int kShots = 8;                 // tested on each side of the paddle's middle
+constexpr Real kLeapSeconds = Real(0.05); // before the ball arrives
+constexpr Real kNudgeSeconds = Real(0.2); // likewise; a paddle that has not moved then does
+constexpr Real kNudge = Real(0.7);        // m
 
 Real meetingHeight(Real offset) {
     return kPaddleY + domeHeight(offset) + kBallRadius;
@@ -381,7 +381,7 @@ Input bot(const Game& game, BotKind kind) {
         input.aim = surestServe(game);
         input.launch = input.launch || first.seconds < kLeapSeconds;
     }
-    if (!game.state().paddle.moved && first.seconds < kNudgeSeconds) {
+    if (game.state().paddle.moved <= kMovedWay && first.seconds < kNudgeSeconds) {
         place += kNudge; // a hollow ball is filled by a paddle that has moved
     }
     const Real most = kFieldWidth / 2;

@@ -144,6 +144,17 @@ void letGoNext(GameState& game, LetGo::Why why) {
     }
 }
 
+/// Balls that are hollow for so long, since they do not come down, are served again.
+static void takeBack(GameState& game) {
+    for (const Ball& ball : game.balls) {
+        game.events.emplace_back(BallLost{game.world[ball.body].position(), 1});
+        game.world.remove(ball.body);
+    }
+    game.balls.clear();
+    newServe(game);
+    game.clock.progress();
+}
+
 void watchProgress(GameState& game) {
     const std::uint32_t hurry = game.counts.blocksLeft <= kLastBlocks ? kLastHurry : 1;
     if (game.counts.isDown()) {
@@ -152,6 +163,8 @@ void watchProgress(GameState& game) {
     const bool fails = game.result == Result::Playing && !game.serving() && game.clock.tick(hurry);
     if (fails && game.armed()) {
         letGoNext(game, LetGo::Why::Fatigue);
+    } else if (fails) {
+        takeBack(game);
     } else if (game.paddle.field.tornSpeed >= kTornSpeed) {
         letGoNext(game, LetGo::Why::Torn);
         game.clock.progress(); // counts as damage by the player

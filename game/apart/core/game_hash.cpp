@@ -126,7 +126,7 @@ std::uint64_t GameState::hash() const {
     add(sum, boss.body);
     sum.add(boss.way);
     add(sum, paddle.serveHeading);
-    sum.add(static_cast<std::uint8_t>(paddle.moved));
+    sum.add(paddle.moved);
     add(sum, paddle.welds);
     add(sum, blocks);
     add(sum, balls);

@@ -83,8 +83,7 @@ void newServe(GameState& game) {
     const Vec2 place = game.world[game.paddle.body].position() + rideOffset(kind);
     game.paddle.serveHeading = drawServe(game, place);
     ++game.counts.serves;
-    const bool hollow = game.origin.mode != Mode::Pure &&
-                        (isBuilding(*game.origin.level) || !game.origin.level->links.empty());
+    const bool hollow = isBuilding(*game.origin.level) || !game.origin.level->links.empty();
     const BodyId ball = addBall(game.world, place, kind);
     game.world[ball].setType(kodo::BodyType::Kinematic);
     game.balls.push_back({ball, game.paddle.serveHeading, true, hollow, kind});
@@ -108,7 +107,7 @@ void serve(GameState& game) {
                 body.setMass(kHollowShare * body.mass());
             }
             body.setVelocity(game.ballSpeed() * game.paddle.serveHeading);
-            game.paddle.moved = false;
+            game.paddle.moved = 0;
             game.counts.hit(game.tick, ball.hollow);
             game.events.emplace_back(Served{ball.body, body.position(), game.paddle.serveHeading});
         }
@@ -135,7 +134,7 @@ void steer(GameState& game, const Input& input) {
     const Real roomLeft = std::min(left - bounds.lower.x, Real(0));
     const Real roomRight = std::max(right - bounds.upper.x, Real(0));
     const Real way = std::clamp(game.paddle.speed * kTickSeconds, roomLeft, roomRight);
-    game.paddle.moved = game.paddle.moved || std::abs(way) > kMovedWay;
+    game.paddle.moved += std::abs(way);
     game.paddle.speed = way / kTickSeconds;
 
     const kodo::Transform target{{position.x + way, kPaddleY + game.paddle.sway.lift},

@@ -39,10 +39,11 @@ inline constexpr Real kEggShort = Real(0.28);   // from its widest line to its b
 inline constexpr Real kEggHalfWidth = Real(0.27);
 inline constexpr int kEggFacets = 20;
 // In a level with a building or joints a served ball is hollow until a paddle that has moved since
-// the serve returns it. It cracks blocks, but breaks none, makes no blow, and no mount fails or is
-// torn: launching alone clears nothing.
+// the serve returns it. One that does not come down within kFailTicks is served again. It cracks
+// blocks, but breaks none, makes no blow, and no mount fails or is torn: launching alone clears
+// nothing.
 inline constexpr Real kHollowShare = Real(1) / 16; // of the mass
-inline constexpr Real kMovedWay = Real(0.01);      // m in a tick; then the paddle has moved
+inline constexpr Real kMovedWay = 2 * kBallRadius; // m in all; then the paddle has moved
 inline constexpr Real kMostSpin = 25;              // rad/s; limit applied by the governor
 inline constexpr Real kLostDepth = Real(0.7);      // below the field; deeper balls are lost
 inline constexpr std::size_t kMostBalls = 8;       // further balls of a split become shards
