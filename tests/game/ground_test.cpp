@@ -84,6 +84,36 @@ TEST(Damage, OfAFlatLandingIsThatOfACorner) {
     EXPECT_NEAR(corner / flat, 1, 0.02); // gravity in the substeps of the tick counts as well
 }
 
+// A beam of steel of 40 m^2 rests on two stones at walls. Its weight is no blow.
+TEST(Damage, IsNotDoneByARestingLoad) {
+    Game game(levelFrom(R"(format = 1
+title = "t"
+idea = "i"
+[legend.m]
+stuff = "stone"
+[legend.s]
+stuff = "steel"
+hold = "standing"
+[[block]]
+kind = "m"
+x = -8500
+y = 6000
+count = 2
+step = [17000, 0]
+[[block]]
+kind = "s"
+shape = "beam"
+x = 0
+y = 7400
+width = 20000
+height = 2000
+)"),
+              1);
+    playOn(game, 600);
+    EXPECT_EQ(game.blocksLeft(), 2);
+    EXPECT_EQ(game.result(), Result::Playing);
+}
+
 /// Three blocks fall 4 m to the ground.
 Game fallenToGround() {
     Game game(columnAboveGround("stone"), 1);

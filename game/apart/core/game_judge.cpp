@@ -124,7 +124,7 @@ void judgeBall(GameState& game, const CollisionRecord& hit, BodyId ball) {
                                            game.world[game.paddle.body].position().x)) {
             game.events.emplace_back(LoopSeen{ball});
         }
-        if (met->hollow && game.paddle.moved) {
+        if (met->hollow && game.paddle.moved > kMovedWay) {
             met->hollow = false;
             game.counts.blow = true; // even if a touch of the hollow ball was the hit
             game.world[ball].setMassFromDensity();
@@ -164,12 +164,11 @@ void judgeBlock(GameState& game, const CollisionRecord& hit, BodyId body) {
         normalTowards(hit, body).y > Real(0.5)) {
         land(game, block, &hit);
     }
-    // A resting load on a block of a building is not an impact: its approach speed is small.
+    // A resting load is not an impact: its approach speed is small.
     const BodyId other = hit.other(body);
     const bool byBall =
         game.world.contains(other) && roleOf(game.world[other].flags()) == Role::Ball;
-    const bool pressed =
-        (game.world[body].flags() & kStands) != 0 && !byBall && hit.approachSpeed < kHarmlessSpeed;
+    const bool pressed = !byBall && hit.approachSpeed < kHarmlessSpeed;
     if (!block.kind.breakable() || hit.maxImpulse < kSlightestImpact || pressed) {
         return;
     }
