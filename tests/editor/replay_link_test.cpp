@@ -149,5 +149,25 @@ TEST(ReplayLink, WhatFollowsItsEndIsRefused) {
     }
 }
 
+// Regression: such a link took seconds and the memory of all its inputs before it was refused.
+TEST(ReplayLink, OneThatUnpacksToMoreThanAReplayMayHaveIsRefusedAtOnce) {
+    Replay replay;
+    replay.level = "arch";
+    replay.handwritten = true;
+    replay.end = kLongestReplay;
+    replay.inputs.resize(kLargestReplay / 10 + 1);
+    for (std::size_t i = 0; i < replay.inputs.size(); ++i) {
+        replay.inputs[i].tick = static_cast<std::uint32_t>(i);
+    }
+    std::string bytes = packed({replay});
+    EXPECT_LT(bytes.size(), 100000u);
+    bytes.resize(bytes.size() / 2); // what it says about its size comes first
+    for (const Read<ReplayRun>& read :
+         {unpacked(bytes, "the link"), runOfLink("#replay=" + std::string(kLargestReplay, 'A'))}) {
+        ASSERT_TRUE(std::holds_alternative<FileProblem>(read));
+        EXPECT_EQ(std::get<FileProblem>(read).text(), longerThanLargest("the link").text());
+    }
+}
+
 } // namespace
 } // namespace apart

@@ -94,6 +94,8 @@ inline constexpr std::size_t kLargestReplay = 16 * 1024 * 1024; // bytes
 inline constexpr std::uint32_t kLongestReplay = 4320000;        // ticks; ten hours
 inline constexpr std::uint32_t kHashEvery = 60;                 // ticks, in a recording
 
+/// The problem of a text of more than kLargestReplay.
+FileProblem longerThanLargest(const std::string& file);
 Read<Replay> parseReplay(std::string_view text, const std::string& file);
 Read<Replay> readReplayFile(const std::filesystem::path& path);
 std::string toText(const Replay& replay);

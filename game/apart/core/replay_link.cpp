@@ -54,9 +54,11 @@ public:
 
     std::uint32_t count(std::uint32_t value) { return coder_.number(value, counts_); }
 
-    void inputs(std::vector<InputChange>& all, std::uint32_t end) {
-        const std::uint32_t size = count(static_cast<std::uint32_t>(all.size()));
-        all.resize(std::min<std::size_t>(size, std::size_t{end} + 1));
+    /// False if a reader finds more than a replay may have.
+    bool inputs(std::vector<InputChange>& all, std::uint32_t end) {
+        if (!entries(all, end, kShortestInput)) {
+            return false;
+        }
         Input last;
         std::uint32_t tick = 0;
         for (InputChange& change : all) {
@@ -65,16 +67,20 @@ public:
             tick = change.tick;
             last = change.input;
         }
+        return true;
     }
 
-    void hashes(std::vector<HashMark>& all, std::uint32_t end) {
-        const std::uint32_t size = count(static_cast<std::uint32_t>(all.size()));
-        all.resize(std::min<std::size_t>(size, std::size_t{end} + 1));
+    /// As inputs().
+    bool hashes(std::vector<HashMark>& all, std::uint32_t end) {
+        if (!entries(all, end, kShortestHash)) {
+            return false;
+        }
         std::uint32_t tick = 0;
         for (HashMark& mark : all) {
             tick = mark.tick = tick + count(mark.tick - tick);
             mark.hash = bits64(mark.hash);
         }
+        return true;
     }
 
     std::uint64_t bits64(std::uint64_t value) {
@@ -90,6 +96,23 @@ public:
 
 private:
     static constexpr std::size_t kMostHead = 100000; // bytes of a text
+    static constexpr std::size_t kShortestInput = std::string_view("0 0 - 0 0\n").size();
+    static constexpr std::size_t kShortestHash =
+        std::string_view("hash 0 0123456789abcdef\n").size();
+
+    /// Codes the number of entries, whose lines have at least so many bytes. A reader makes them,
+    /// unless their text and what it has read before are longer than kLargestReplay.
+    template <typename Entry>
+    bool entries(std::vector<Entry>& all, std::uint32_t end, std::size_t shortest) {
+        const std::uint32_t size = count(static_cast<std::uint32_t>(all.size()));
+        const std::size_t made = std::min<std::size_t>(size, std::size_t{end} + 1);
+        if (coder_.reads() && made > room_ / shortest) {
+            return false;
+        }
+        room_ -= coder_.reads() ? made * shortest : 0;
+        all.resize(made);
+        return true;
+    }
 
     /// The place of the target is predicted from its last speed (1/1000 m a tick).
     void input(Input& now, const Input& last, std::uint32_t ticks) {
@@ -148,6 +171,7 @@ private:
     std::int32_t speed_ = 0;
     std::size_t size_ = 0; // of the last error, in pairs of bits
     std::int32_t aim_ = 0;
+    std::size_t room_ = kLargestReplay; // bytes of text that a reader may still make of entries
 };
 
 /// The replay without inputs, hashes and digest.
@@ -225,6 +249,7 @@ std::string packed(const ReplayRun& run) {
 
 Read<ReplayRun> unpacked(std::string_view bytes, const std::string& file) {
     const FileProblem damaged{file, 0, "the replay is damaged"};
+    const FileProblem tooLong = longerThanLargest(file);
     constexpr std::uint32_t kMostReplays = 1000;
     if (bytes.empty() || bytes.front() != kPackedMark) {
         return damaged;
@@ -242,11 +267,15 @@ Read<ReplayRun> unpacked(std::string_view bytes, const std::string& file) {
             return damaged;
         }
         auto& replay = std::get<Replay>(read);
-        coder.inputs(replay.inputs, replay.end);
-        coder.hashes(replay.hashes, replay.end);
+        if (!coder.inputs(replay.inputs, replay.end) || !coder.hashes(replay.hashes, replay.end)) {
+            return tooLong;
+        }
         const std::string own = toText(replay);
         digest ^= digestOf(own);
         text += own;
+        if (text.size() > kLargestReplay) {
+            return tooLong;
+        }
     }
     if (count == 0 || coder.bits64(0) != digest) {
         return damaged;
@@ -265,6 +294,9 @@ bool isLink(std::string_view text) {
 }
 
 Read<ReplayRun> runOfLink(std::string_view link) {
+    if (link.size() > kLargestReplay) {
+        return longerThanLargest("the link");
+    }
     const std::size_t start = link.find(kFragment);
     const std::optional<std::string> bytes =
         start == std::string_view::npos ? std::nullopt

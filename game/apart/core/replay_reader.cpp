@@ -300,9 +300,13 @@ private:
 
 } // namespace
 
+FileProblem longerThanLargest(const std::string& file) {
+    return {file, 0, "is longer than " + std::to_string(kLargestReplay) + " bytes"};
+}
+
 Read<Replay> parseReplay(std::string_view text, const std::string& file) {
     if (text.size() > kLargestReplay) {
-        return FileProblem{file, 0, "is longer than " + std::to_string(kLargestReplay) + " bytes"};
+        return longerThanLargest(file);
     }
     return ReplayReader(text, file).read();
 }

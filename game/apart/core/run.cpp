@@ -49,7 +49,7 @@ std::string problemOf(const ReplayRun& run) {
 
 Read<ReplayRun> parseRun(std::string_view text, const std::string& file) {
     if (text.size() > kLargestReplay) {
-        return FileProblem{file, 0, "is longer than " + std::to_string(kLargestReplay) + " bytes"};
+        return longerThanLargest(file);
     }
     ReplayRun run;
     const std::vector<std::size_t> starts = startsOf(text);
