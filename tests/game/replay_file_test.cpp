@@ -173,6 +173,8 @@ TEST(ReplayFile, NamesTheLineOfAnError) {
         {with("apart-replay 1", "apart-film 1"), ":1: not a replay"},
         {with("apart-replay 1", "apart-replay 4"), ":1: was written by a newer game"},
         {with("30 0 - 1", "30 0 - 1 pull"), ":7: an input line has four columns"},
+        {with("seed 7", "seed 7\nrules 1\nrules 1"), ":5: a second version of the rules"},
+        {with("seed 7", "seed 7\npure\nassisted"), ":5: a second mode"},
         {with("seed 7", "seed -7"), ":3: seed needs one whole number"},
         {with("seed 7\n", ""), ":12: there is no line seed N"},
         {with("level first_light\n", ""), ":12: there is no line level NAME"},

@@ -71,6 +71,9 @@ private:
         }
         const auto mode = std::find(kModeNames.begin() + 1, kModeNames.end(), first);
         if (mode != kModeNames.end() && words.size() == 1) {
+            if (replay_.mode != Mode::Standard) {
+                return "a second mode";
+            }
             replay_.mode = static_cast<Mode>(mode - kModeNames.begin());
             return "";
         }
@@ -127,6 +130,9 @@ private:
         }
         const auto number = static_cast<std::uint32_t>(*value);
         if (words[0] == "rules") {
+            if (replay_.rules) {
+                return "a second version of the rules";
+            }
             replay_.rules = number;
         } else {
             if (hasSeed_) {
