@@ -20,6 +20,11 @@ inline void refuse(const std::optional<Problem>& problem) {
 /// The first problem of several checks. All of them are made, so none may need an earlier one.
 std::optional<Problem> firstOf(std::initializer_list<std::optional<Problem>> checks);
 
+/// A problem of a field under a condition.
+inline std::optional<Problem> problemIf(bool bad, const char* field, const char* reason) {
+    return bad ? std::optional(Problem{field, reason}) : std::nullopt;
+}
+
 /// A number as the C library prints it in a locale with the given decimal point, with ".".
 std::string withPoint(std::string text, const std::string& point);
 /// The shortest of 6 or more digits that reads back as the same number, with "." in any locale.

@@ -49,6 +49,15 @@ public:
     }
 
     bool aliveAt(std::size_t index) const { return generations_[index] % 2 == 1; }
+    /// Calls visit(index) for the slots in use, in order.
+    template <typename Visit>
+    void forEach(Visit visit) const {
+        for (std::uint32_t index = 0; index < generations_.size(); ++index) {
+            if (aliveAt(index)) {
+                visit(index);
+            }
+        }
+    }
     std::uint32_t generationAt(std::size_t index) const { return generations_[index]; }
 
     /// Number of slots ever made, alive or not: the size of an array indexed by them.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 namespace kodo {
@@ -33,6 +34,13 @@ template <typename T>
 void sortUnique(std::vector<T>& list) {
     std::sort(list.begin(), list.end()); // total order: equal ones are identical
     list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
+/// The indices 0 to count - 1.
+inline std::vector<std::uint32_t> allIndices(std::size_t count) {
+    std::vector<std::uint32_t> all(count);
+    std::iota(all.begin(), all.end(), 0u);
+    return all;
 }
 
 /// Appends an index to a list that may contain duplicates. Removes these once the list is longer

@@ -197,11 +197,9 @@ void freeze(Bodies& bodies, std::uint32_t body) {
 void findThinnest(Bodies& bodies) {
     bodies.thinnestAge = 0;
     bodies.thinnest = std::numeric_limits<Real>::max();
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        if (bodies.ids.aliveAt(i)) {
-            bodies.thinnest = std::min(bodies.thinnest, bodies.extent[i].coreRadius);
-        }
-    }
+    bodies.ids.forEach([&](std::uint32_t i) {
+        bodies.thinnest = std::min(bodies.thinnest, bodies.extent[i].coreRadius);
+    });
 }
 
 bool refreshAwake(Bodies& bodies) {
@@ -337,16 +335,13 @@ void refreshDerived(Bodies& bodies, std::uint32_t index) {
 
 void setTurns(Bodies& bodies, bool turns) {
     bodies.turns = turns;
-    for (std::uint32_t index = 0; index < bodies.size(); ++index) {
-        if (!bodies.ids.aliveAt(index)) {
-            continue;
-        }
+    bodies.ids.forEach([&](std::uint32_t index) {
         refreshDerived(bodies, index);
         bodies.teleported(index);
         if (!turns && (locksOf(bodies.filter[index].flags) & kLockRotate) == 0) {
             bodies.motion[index].angularVelocity = 0;
         }
-    }
+    });
     bodies.changes.allActivity = true;
 }
 

@@ -238,11 +238,6 @@ bool isParticle(const Bodies& bodies, std::uint32_t body);
 /// could rotate lose their angular velocity.
 void setTurns(Bodies& bodies, bool turns);
 
-/// World velocity (m/s) of the point at an arm (m) from the centre of mass [Thesis06, eq. 4.5].
-inline Vec2 velocityAt(const BodyVelocity& motion, Vec2 arm) {
-    return motion.velocity + cross(motion.angularVelocity, arm);
-}
-
 /// World bounds of all parts.
 Aabb boundsOfBody(const Bodies& bodies, std::size_t body);
 

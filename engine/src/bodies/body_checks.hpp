@@ -3,6 +3,7 @@
 
 #include <kodo/body.hpp>
 
+#include "base/checks.hpp"
 #include "bodies/part_list.hpp"
 #include "math/vec2_checks.hpp"
 
@@ -22,6 +23,9 @@ std::optional<Problem> checkAngularVelocity(const char* field, Real value);
 std::optional<Problem> checkDensity(Real value);
 std::optional<Problem> checkTimeStep(Real dt);
 std::optional<Problem> check(const MotionRules& rules);
+inline std::optional<Problem> checkType(BodyType type) {
+    return problemIf(type > BodyType::Static, "type", "must be one of the enumerators of BodyType");
+}
 inline constexpr const char* kMustBeZeroForStatic =
     "must be zero for a static body: make it Kinematic";
 // Flag bits in which the engine stores the type of a body; neither: dynamic.

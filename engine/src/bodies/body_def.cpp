@@ -12,46 +12,35 @@ inline namespace KODO_PRECISION {
 namespace {
 
 std::optional<Problem> checkPlaneType(bool needed, Flags flags) {
-    if (needed && locksOf(flags) != kLockBoth) {
-        return Problem{"type", "must be Static or Kinematic: a plane has no mass"};
-    }
-    return std::nullopt;
+    return problemIf(needed && locksOf(flags) != kLockBoth, "type",
+                     "must be Static or Kinematic: a plane has no mass");
 }
 
 std::optional<Problem> checkType(const BodyDef& def) {
-    if (def.type > BodyType::Static) {
-        return Problem{"type", "must be one of the enumerators of BodyType"};
-    }
-    if (def.type == BodyType::Static && (def.velocity != Vec2{} || def.angularVelocity != 0)) {
-        return Problem{def.velocity != Vec2{} ? "velocity" : "angularVelocity",
-                       kMustBeZeroForStatic};
-    }
-    return checkPlaneType(def.shape, def.flags | bitsOf(def.type));
+    const bool still = def.type == BodyType::Static;
+    return firstOf(
+        {checkType(def.type),
+         problemIf(still && def.velocity != Vec2{}, "velocity", kMustBeZeroForStatic),
+         problemIf(still && def.angularVelocity != 0, "angularVelocity", kMustBeZeroForStatic),
+         checkPlaneType(def.shape, def.flags | bitsOf(def.type))});
 }
 
 /// Match mode and categories of a body or a part.
 std::optional<Problem> checkMatch(const char* field, const CollisionFilter& filter) {
-    if (auto problem = checkRequired(field, filter.required)) {
-        return problem;
-    }
-    if (filter.required == 0 && (filter.flags & (kMatchAny | kMatchAll)) != 0) {
-        return Problem{field, "must have a category with kMatchAny or kMatchAll, but is 0: the "
-                              "body would collide with nothing, as kDisabled says"};
-    }
-    if (filter.required != 0 && (filter.flags & kMatchModes) == 0) {
-        return Problem{field, "has no effect without a match mode: add kMatchNone, kMatchAny, "
-                              "kMatchAll or kMatchEqual to flags"};
-    }
-    return std::nullopt;
+    return firstOf(
+        {checkRequired(field, filter.required),
+         problemIf(filter.required == 0 && (filter.flags & (kMatchAny | kMatchAll)) != 0, field,
+                   "must have a category with kMatchAny or kMatchAll, but is 0: the body would "
+                   "collide with nothing, as kDisabled says"),
+         problemIf(filter.required != 0 && (filter.flags & kMatchModes) == 0, field,
+                   "has no effect without a match mode: add kMatchNone, kMatchAny, kMatchAll or "
+                   "kMatchEqual to flags")});
 }
 
 std::optional<Problem> checkModes(const char* field, Flags value) {
     const Flags mode = value & kMatchModes;
-    if ((mode & (mode - 1)) != 0) {
-        return Problem{field,
-                       "must have one of kMatchNone, kMatchAny, kMatchAll and kMatchEqual at most"};
-    }
-    return std::nullopt;
+    return problemIf((mode & (mode - 1)) != 0, field,
+                     "must have one of kMatchNone, kMatchAny, kMatchAll and kMatchEqual at most");
 }
 
 } // namespace
@@ -119,46 +108,35 @@ std::optional<Problem> checkFlags(const char* field, Flags value) {
 }
 
 std::optional<Problem> checkRequired(const char* field, Flags value) {
-    if ((value & ~(kUserFlags | kDefaultCategory)) != 0) {
-        return Problem{field, "must have categories alone: bits 0 to 15 and 32 to 63, and "
-                              "kDefaultCategory"};
-    }
-    return std::nullopt;
+    return problemIf((value & ~(kUserFlags | kDefaultCategory)) != 0, field,
+                     "must have categories alone: bits 0 to 15 and 32 to 63, and kDefaultCategory");
 }
 
 std::optional<Problem> checkPartFilter(const CollisionFilter& filter) {
-    if ((filter.flags & ~(kUserFlags | kMatchModes | kSensor)) != 0) {
-        return Problem{"filter.flags", "must have categories, a match mode and kSensor alone: "
-                                       "locks and other flags are those of the body"};
-    }
-    const auto problem = checkModes("filter.flags", filter.flags);
-    return problem ? problem : checkMatch("filter.required", filter);
+    return firstOf(
+        {problemIf((filter.flags & ~(kUserFlags | kMatchModes | kSensor)) != 0, "filter.flags",
+                   "must have categories, a match mode and kSensor alone: locks and "
+                   "other flags are those of the body"),
+         checkModes("filter.flags", filter.flags), checkMatch("filter.required", filter)});
 }
 
 std::optional<Problem> checkFilter(CollisionFilter which) {
-    if (auto problem = checkModes("which.flags", which.flags)) {
-        return problem;
-    }
-    if ((which.flags & ~(kUserFlags | kMatchModes)) != 0) {
-        return Problem{"which.flags", "must have a match mode alone: a filter does not "
-                                      "compare locks, kSensor and other flags"};
-    }
-    if (auto problem = checkRequired("which.required", which.required)) {
-        return problem;
-    }
-    if (which.required != 0 && (which.flags & kMatchModes) == 0) {
-        return Problem{"which.required", "has no effect without a match mode: add kMatchNone, "
-                                         "kMatchAny, kMatchAll or kMatchEqual to which.flags"};
-    }
-    if ((which.flags & kUserFlags) != 0) {
-        return Problem{"which.flags", "must have a match mode alone: put the categories to find "
-                                      "into which.required, as {kMatchAny, categories}"};
-    }
-    if (which.required == 0 && (which.flags & (kMatchAny | kMatchAll)) != 0) {
-        return Problem{"which.required", "must name the categories to find: with kMatchAny or "
-                                         "kMatchAll, 0 finds nothing"};
-    }
-    return std::nullopt;
+    return firstOf(
+        {checkModes("which.flags", which.flags),
+         problemIf((which.flags & ~(kUserFlags | kMatchModes)) != 0, "which.flags",
+                   "must have a match mode alone: a filter does not compare locks, kSensor and "
+                   "other flags"),
+         checkRequired("which.required", which.required),
+         problemIf(which.required != 0 && (which.flags & kMatchModes) == 0, "which.required",
+                   "has no effect without a match mode: add kMatchNone, kMatchAny, kMatchAll or "
+                   "kMatchEqual to which.flags"),
+         problemIf((which.flags & kUserFlags) != 0, "which.flags",
+                   "must have a match mode alone: put the categories to find into which.required, "
+                   "as {kMatchAny, categories}"),
+         problemIf(which.required == 0 && (which.flags & (kMatchAny | kMatchAll)) != 0,
+                   "which.required",
+                   "must name the categories to find: with kMatchAny or kMatchAll, 0 finds "
+                   "nothing")});
 }
 
 std::optional<Problem> checkBox(const char* field, const Aabb& box) {

@@ -87,10 +87,8 @@ bool hasFirmRim(const BodyGeometry& geometry) {
 }
 
 std::optional<Problem> checkHasMass(std::span<const Part> parts) {
-    if (hasPlane(parts)) {
-        return Problem{"mass", "must not be set for a body with a plane, which has no mass"};
-    }
-    return std::nullopt;
+    return problemIf(hasPlane(parts), "mass",
+                     "must not be set for a body with a plane, which has no mass");
 }
 
 std::optional<Problem> checkMassDef(const MassDef& def, std::span<const Part> parts,

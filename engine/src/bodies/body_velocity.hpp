@@ -5,6 +5,7 @@
 
 #include "base/state_stream.hpp"
 
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -26,6 +27,10 @@ struct BodyVelocity {
         deltaAngle = 0;
     }
     bool unmoved() const { return deltaPosition == Vec2{} && deltaAngle == 0; }
+    /// Bound (m) of the displacement of any point of the body.
+    Real way(Real rotationReach) const {
+        return length(deltaPosition) + std::abs(deltaAngle) * rotationReach;
+    }
     /// Clears velocity and displacement.
     void stop() {
         velocity = {};
@@ -39,6 +44,11 @@ struct BodyVelocity {
         stream(ownVelocity, spin, way, turn);
     }
 };
+
+/// World velocity (m/s) of the point at an arm (m) from the centre of mass [Thesis06, eq. 4.5].
+inline Vec2 velocityAt(const BodyVelocity& motion, Vec2 arm) {
+    return motion.velocity + cross(motion.angularVelocity, arm);
+}
 
 /// Applies an impulse (N s) and an angular one (N m s), with the masses of a pass. A locked body is
 /// not written: islands share it, and an infinite impulse in one of them times 0 would be NaN in

@@ -22,26 +22,22 @@ std::optional<Problem> checkWind(const Wind& wind, Real unit) {
 }
 
 std::optional<Problem> checkAttractor(const Attractor& attractor, Real unit) {
-    if (attractor.law() > Attractor::Law::Linear) {
-        return Problem{"field.law", "must be one of the enumerators of Attractor::Law"};
-    }
     return firstOf(
-        {checkPosition("field.center", attractor.center(), unit),
+        {problemIf(attractor.law() > Attractor::Law::Linear, "field.law",
+                   "must be one of the enumerators of Attractor::Law"),
+         checkPosition("field.center", attractor.center(), unit),
          checkRange("field.strength", attractor.strength(), -kMostCoefficient, kMostCoefficient),
          checkRange("field.softening", attractor.softening(), 0, kMostCoefficient)});
 }
 
 std::optional<Problem> checkBuoyancy(const Buoyancy& buoyancy, Real unit) {
-    const auto directed =
-        buoyancy.gravity() != Vec2{}
-            ? std::nullopt
-            : std::optional(
-                  Problem{"field.gravity",
-                          "must not be zero: its direction defines the upward side of the fluid"});
-    return firstOf({checkRange("field.density", buoyancy.fluid().density, 0, kMostCoefficient),
-                    checkRange("field.drag", buoyancy.fluid().drag, 0, kMostCoefficient),
-                    checkPosition("field.surface", buoyancy.surface(), unit), directed,
-                    checkVelocity("field.gravity", buoyancy.gravity(), unit, "m/s^2")});
+    return firstOf(
+        {checkRange("field.density", buoyancy.fluid().density, 0, kMostCoefficient),
+         checkRange("field.drag", buoyancy.fluid().drag, 0, kMostCoefficient),
+         checkPosition("field.surface", buoyancy.surface(), unit),
+         problemIf(buoyancy.gravity() == Vec2{}, "field.gravity",
+                   "must not be zero: its direction defines the upward side of the fluid"),
+         checkVelocity("field.gravity", buoyancy.gravity(), unit, "m/s^2")});
 }
 
 } // namespace

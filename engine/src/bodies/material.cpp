@@ -27,10 +27,7 @@ Real mixed(MixRule rule, Real a, Real b) {
 }
 
 std::optional<Problem> checkRule(const char* field, MixRule rule) {
-    if (rule <= MixRule::Maximum) {
-        return std::nullopt;
-    }
-    return Problem{field, "must be one of the enumerators of MixRule"};
+    return problemIf(rule > MixRule::Maximum, field, "must be one of the enumerators of MixRule");
 }
 
 } // namespace

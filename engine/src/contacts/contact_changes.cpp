@@ -4,20 +4,10 @@
 #include "contacts/contact_update.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
-namespace {
-
-std::vector<std::uint32_t> allOf(const Bodies& bodies) {
-    std::vector<std::uint32_t> all(bodies.size());
-    std::iota(all.begin(), all.end(), 0u);
-    return all;
-}
-
-} // namespace
 
 /// Frees the slots of removed contacts.
 void ContactSet::freeDetached() {
@@ -116,7 +106,7 @@ std::span<const StoredContact> ContactSet::takeArrivals(const Bodies& bodies) {
         return {};
     }
     if (std::exchange(allArrived_, false)) {
-        arrivals_ = allOf(bodies);
+        arrivals_ = allIndices(bodies.size());
     }
     takeIdle(bodies, arrivals_, kAsleep);
     arrivals_.clear();

@@ -28,11 +28,7 @@ public:
     void count(const Contact& contact, bool touches) {
         for (const std::uint32_t body : {contact.key.bodyA, contact.key.bodyB}) {
             counts_[body] += touches ? 1u : kOneLess;
-            changes_.push_back(body);
-        }
-        const std::size_t many = 4 * counts_.size();
-        if (changes_.size() > many) { // for example, a region that moves often between two steps
-            sortUnique(changes_);
+            appendIndex(changes_, body, counts_.size());
         }
     }
     /// The same on any thread, without a change in changes(): see addChanges.

@@ -151,10 +151,8 @@ bool ContinuousCollision::markSwift(const Bodies& bodies, bool mayBounce,
     team.forEach(bodies.awake.size(), kPairsPerPiece, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
             const std::uint32_t body = bodies.awake[k];
-            const BodyVelocity& motion = bodies.motion[body];
             const Extent& extent = bodies.extent[body];
-            const Real way =
-                length(motion.deltaPosition) + std::abs(motion.deltaAngle) * extent.rotationReach;
+            const Real way = bodies.motion[body].way(extent.rotationReach);
             if (way > unseen && !(way <= tolerances.slop / 2 && way < extent.coreRadius / 4)) {
                 swift_[body] = 1;
                 WorkerTeam::mark(anySwift);

@@ -28,11 +28,6 @@ Real motionSeenFrom(const Bodies& bodies, std::uint32_t locked, std::uint32_t ot
            std::abs(motion.deltaAngle - floor.deltaAngle) * rotationReach;
 }
 
-/// Bound (m) of the motion of any point of a body.
-Real wayOf(const BodyVelocity& motion, Real rotationReach) {
-    return length(motion.deltaPosition) + std::abs(motion.deltaAngle) * rotationReach;
-}
-
 } // namespace
 
 Real relativeMotion(const Bodies& bodies, const MovingBody& movingA, const MovingBody& movingB) {
@@ -44,11 +39,11 @@ Real relativeMotion(const Bodies& bodies, const MovingBody& movingA, const Movin
     // by the motion of each body could count as fast.
     if (a.locked()) {
         return std::min(motionSeenFrom(bodies, bodyA, bodyB, rotationReachB),
-                        wayOf(a, rotationReachA) + wayOf(b, rotationReachB));
+                        a.way(rotationReachA) + b.way(rotationReachB));
     }
     if (b.locked()) {
         return std::min(motionSeenFrom(bodies, bodyB, bodyA, rotationReachA),
-                        wayOf(a, rotationReachA) + wayOf(b, rotationReachB));
+                        a.way(rotationReachA) + b.way(rotationReachB));
     }
     const Real alone = stopA == stopB  ? 0
                        : stopA > stopB ? (stopA - stopB) * length(a.deltaPosition)

@@ -14,10 +14,8 @@ namespace {
 
 /// A joint may be described before its bodies exist, but not added.
 std::optional<Problem> checkSet(const char* field, BodyId body) {
-    if (body.generation == 0) {
-        return Problem{field, "is not set: give the id that World::add() returned for the body"};
-    }
-    return std::nullopt;
+    return problemIf(body.generation == 0, field,
+                     "is not set: give the id that World::add() returned for the body");
 }
 
 std::optional<Problem> checkBreak(const char* field, Real value, const char* unit) {
@@ -29,13 +27,9 @@ std::optional<Problem> checkBreak(const char* field, Real value, const char* uni
 }
 
 std::optional<Problem> checkEnds(const JointEnds& ends, Real unit) {
-    if (auto problem = firstOf({checkSet("ends.a", ends.a), checkSet("ends.b", ends.b)})) {
-        return problem;
-    }
-    if (ends.a == ends.b) {
-        return Problem{"ends", "must be two different bodies"};
-    }
-    return firstOf({checkPosition("ends.anchorA", ends.anchorA, unit),
+    return firstOf({checkSet("ends.a", ends.a), checkSet("ends.b", ends.b),
+                    problemIf(ends.a == ends.b, "ends", "must be two different bodies"),
+                    checkPosition("ends.anchorA", ends.anchorA, unit),
                     checkPosition("ends.anchorB", ends.anchorB, unit),
                     checkBreak("ends.breakForce", ends.breakForce, "N"),
                     checkBreak("ends.breakTorque", ends.breakTorque, "N m")});
@@ -87,13 +81,14 @@ std::optional<Problem> checkLinearMotor(const Joint& joint, Real unit) {
 
 std::optional<Problem> checkKind(const RevoluteJoint& joint, Real) {
     const Real tooth = std::abs(joint.ratchet);
-    if (tooth != 0 && !(joint.limits && tooth >= Real(1e-6) && tooth <= kAngle)) {
-        return Problem{"ratchet", "needs limits, one of which follows the angle, and teeth of "
-                                  "1e-6 to 1e4 rad"};
-    }
-    return firstOf({checkReference(joint.reference), checkRotaryMotor(joint), checkSpring(joint),
-                    checkRange("target", joint.target, -kAngle, kAngle, "rad"),
-                    checkLimits(joint.limits, -kAngle, kAngle, "rad")});
+    return firstOf(
+        {problemIf(tooth != 0 && !(joint.limits && tooth >= Real(1e-6) && tooth <= kAngle),
+                   "ratchet",
+                   "needs limits, one of which follows the angle, and teeth of 1e-6 to "
+                   "1e4 rad"),
+         checkReference(joint.reference), checkRotaryMotor(joint), checkSpring(joint),
+         checkRange("target", joint.target, -kAngle, kAngle, "rad"),
+         checkLimits(joint.limits, -kAngle, kAngle, "rad")});
 }
 
 std::optional<Problem> checkKind(const FixedJoint& joint, Real) {
@@ -102,16 +97,14 @@ std::optional<Problem> checkKind(const FixedJoint& joint, Real) {
 
 std::optional<Problem> checkKind(const DistanceJoint& joint, Real unit) {
     const Real most = kMaxCoordinate * unit;
-    if (auto problem = firstOf({checkRange("length", joint.length, 0, most, "m"),
-                                checkSpring(joint), checkLinearMotor(joint, unit)})) {
-        return problem;
-    }
-    if (joint.hertz == 0 && !joint.limits && joint.motorForce == 0) {
-        return Problem{"hertz", "is 0 and there are no limits, so the joint would do nothing: set "
-                                "hertz for a spring, equal limits for a rod, limits from 0 to "
-                                "the length of a rope, or motorForce for a winch"};
-    }
-    return checkLimits(joint.limits, 0, most, "m");
+    return firstOf(
+        {checkRange("length", joint.length, 0, most, "m"), checkSpring(joint),
+         checkLinearMotor(joint, unit),
+         problemIf(joint.hertz == 0 && !joint.limits && joint.motorForce == 0, "hertz",
+                   "is 0 and there are no limits, so the joint would do nothing: set hertz for a "
+                   "spring, equal limits for a rod, limits from 0 to the length of a rope, or "
+                   "motorForce for a winch"),
+         checkLimits(joint.limits, 0, most, "m")});
 }
 
 std::optional<Problem> checkKind(const PrismaticJoint& joint, Real unit) {
@@ -150,46 +143,33 @@ std::optional<Problem> checkKind(const GearJoint& joint, Real) {
 }
 
 std::optional<Problem> checkKind(const FilterJoint& joint, Real) {
-    if (joint.ends.collide) {
-        return Problem{"ends.collide", "is true, so the joint would do nothing"};
-    }
-    const bool breaks = !std::isinf(joint.ends.breakForce);
-    if (breaks || !std::isinf(joint.ends.breakTorque)) {
-        return Problem{breaks ? "ends.breakForce" : "ends.breakTorque",
-                       "must be kUnbreakable: a FilterJoint has no load that could break it"};
-    }
-    return std::nullopt;
+    const char* const unbreakable =
+        "must be kUnbreakable: a FilterJoint has no load that could break it";
+    return firstOf(
+        {problemIf(joint.ends.collide, "ends.collide", "is true, so the joint would do nothing"),
+         problemIf(!std::isinf(joint.ends.breakForce), "ends.breakForce", unbreakable),
+         problemIf(!std::isinf(joint.ends.breakTorque), "ends.breakTorque", unbreakable)});
 }
 
 std::optional<Problem> checkKind(const MotorJoint& joint, Real) {
     const Real softest = joint.hertz == 0 ? 0 : Real(1e-3);
-    if (auto problem =
-            firstOf({checkReference(joint.reference), checkNotNegative("force", joint.force, "N"),
-                     checkNotNegative("torque", joint.torque, "N m"),
-                     checkRange("hertz", joint.hertz, softest, Real(1e4), "Hz"),
-                     checkRange("damping", joint.damping, 0, Real(1e4))})) {
-        return problem;
-    }
-    if (joint.force == 0 && joint.torque == 0) {
-        return Problem{"force", "and torque are 0, so the joint would do nothing: set the largest "
-                                "force, the largest torque, or both"};
-    }
-    return std::nullopt;
+    return firstOf({checkReference(joint.reference), checkNotNegative("force", joint.force, "N"),
+                    checkNotNegative("torque", joint.torque, "N m"),
+                    checkRange("hertz", joint.hertz, softest, Real(1e4), "Hz"),
+                    checkRange("damping", joint.damping, 0, Real(1e4)),
+                    problemIf(joint.force == 0 && joint.torque == 0, "force",
+                              "and torque are 0, so the joint would do nothing: set the largest "
+                              "force, the largest torque, or both")});
 }
 
 std::optional<Problem> checkKind(const MouseJoint& mouse, Real unit) {
-    if (auto problem =
-            firstOf({checkSet("body", mouse.body), checkPosition("anchor", mouse.anchor, unit),
-                     checkPosition("target", mouse.target, unit),
-                     checkNotNegative("force", mouse.force, "N"),
-                     checkRange("hertz", mouse.hertz, Real(1e-3), Real(1e4), "Hz"),
-                     checkRange("damping", mouse.damping, 0, Real(1e4))})) {
-        return problem;
-    }
-    if (mouse.force == 0) {
-        return Problem{"force", "is 0, so the joint would do nothing: set the largest force"};
-    }
-    return std::nullopt;
+    return firstOf({checkSet("body", mouse.body), checkPosition("anchor", mouse.anchor, unit),
+                    checkPosition("target", mouse.target, unit),
+                    checkNotNegative("force", mouse.force, "N"),
+                    checkRange("hertz", mouse.hertz, Real(1e-3), Real(1e4), "Hz"),
+                    checkRange("damping", mouse.damping, 0, Real(1e4)),
+                    problemIf(mouse.force == 0, "force",
+                              "is 0, so the joint would do nothing: set the largest force")});
 }
 
 } // namespace

@@ -164,13 +164,10 @@ void JointSet::transfer(BodyId part, BodyId into, const Transform& place) {
 
 void JointSet::refreshLists() {
     lists_.clear();
-    for (std::uint32_t index = 0; index < joints_.size(); ++index) {
-        if (!ids_.aliveAt(index)) {
-            continue;
-        }
+    ids_.forEach([&](std::uint32_t index) {
         const JointDef& def = joints_[index].def;
         lists_.add(index, firstBody(def).index, secondBody(def).index, excludesContact(def));
-    }
+    });
     std::erase_if(awake_, [&](std::uint32_t index) { return !ids_.aliveAt(index); });
     awakeStale_ = true;
 }
@@ -321,10 +318,7 @@ void JointSet::scaleImpulses(Real by) {
 }
 
 void JointSet::forgetUnsound() {
-    for (std::uint32_t index = 0; index < joints_.size(); ++index) {
-        if (!ids_.aliveAt(index)) {
-            continue;
-        }
+    ids_.forEach([&](std::uint32_t index) {
         Joint& joint = joints_[index];
         const Real sum =
             std::accumulate(joint.axes.begin(), joint.axes.end(), joint.angularImpulseSum);
@@ -335,7 +329,7 @@ void JointSet::forgetUnsound() {
             joint.linearImpulseSum = {};
             joint.angularImpulseSum = 0;
         }
-    }
+    });
 }
 
 /// The sums of a step are left out: the next step resets them.
@@ -356,20 +350,17 @@ void JointSet::visitState(StateStream& stream, const Bodies& bodies, Real length
         stamp = 0;
         joints.resize(ids.capacity());
     }
-    for (std::size_t i = 0; i < joints.size(); ++i) {
-        if (!ids.aliveAt(i)) {
-            continue;
-        }
+    ids.forEach([&, &joints = joints_](std::uint32_t i) {
         stream(joints[i]);
         if (!stream.reads()) {
-            continue;
+            return;
         }
         require(check(joints[i].def, lengthUnit));
         for (const BodyId body : {firstBody(joints[i].def), secondBody(joints[i].def)}) {
             require(bodies.ids.alive(body.index, body.generation),
                     "a joint refers to a body that does not exist");
         }
-    }
+    });
     if (stream.reads()) {
         refreshLists();
     }

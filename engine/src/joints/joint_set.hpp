@@ -130,11 +130,7 @@ public:
     /// Visits all joints in order.
     template <typename Visit>
     void forEach(Visit visit) const {
-        for (std::uint32_t index = 0; index < joints_.size(); ++index) {
-            if (ids_.aliveAt(index)) {
-                visit(joints_[index]);
-            }
-        }
+        ids_.forEach([&](std::uint32_t index) { visit(joints_[index]); });
     }
     /// Visits the joints of a body, in no particular order.
     template <typename Visit>

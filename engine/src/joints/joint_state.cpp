@@ -86,11 +86,7 @@ void catchTooth(RevoluteJoint& joint, Real angle) {
 
 std::vector<JointId> JointSet::ids() const {
     std::vector<JointId> all;
-    for (std::uint32_t index = 0; index < joints_.size(); ++index) {
-        if (ids_.aliveAt(index)) {
-            all.push_back(idAt(index));
-        }
-    }
+    ids_.forEach([&](std::uint32_t index) { all.push_back(idAt(index)); });
     return all;
 }
 

@@ -253,9 +253,7 @@ bool SleepSystem::wakeRunOver(Bodies& bodies, ContactSet& contacts, const Tolera
             contact.sensor || contact.passing) {
             continue;
         }
-        const BodyVelocity& motion = bodies.motion[wall];
-        const Real way = length(motion.deltaPosition) +
-                         std::abs(motion.deltaAngle) * bodies.extent[wall].rotationReach;
+        const Real way = bodies.motion[wall].way(bodies.extent[wall].rotationReach);
         if (!contact.bounces &&
             way <= std::min(bodies.extent[bodyA].coreRadius, bodies.extent[bodyB].coreRadius) / 2) {
             continue; // the contact of the next step suffices

@@ -170,10 +170,9 @@ void SoftSolver::solveHeld(const StepInput& step) {
     contactSet.lanes().arrange(bodies, contactSet.store().all(), newcomers_,
                                anyCrowded_ != 0 ? std::span<const std::uint16_t>(overlapCount_)
                                                 : std::span<const std::uint16_t>(),
-                               soft.pushSpeed * tolerances.slop * Tolerances::kSlopsPerUnit);
+                               soft.pushSpeed * tolerances.unit());
     joints.beginStep();
-    joints.boundBias(contactSet, tolerances.slop,
-                     soft.pushSpeed * tolerances.slop * Tolerances::kSlopsPerUnit);
+    joints.boundBias(contactSet, tolerances.slop, soft.pushSpeed * tolerances.unit());
     moveFree(bodies, dt);
     work.refinedBodies = refinement_.size();
     manifoldRefresh_.begin(dt);

@@ -197,9 +197,7 @@ void BodyRef::applyAngularImpulse(Real impulse) {
 
 void BodyRef::setType(BodyType type) {
     const std::uint32_t body = changing("BodyRef::setType");
-    refuse(type <= BodyType::Static
-               ? std::nullopt
-               : std::optional(Problem{"type", "must be one of the enumerators of BodyType"}));
+    refuse(checkType(type));
     for (std::size_t i = 0; i < partCount(); ++i) {
         refuse(checkPlaneType(part(i).primitive, (flags() & ~kTypeBits) | bitsOf(type)));
     }

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace kodo {
@@ -69,12 +68,6 @@ void Region::place(std::uint32_t body, Bodies& bodies, ContactSet& contacts) {
         contacts.bodyChanged(body); // updates its bounds at the place where it stopped
         park({&body, 1}, bodies, contacts);
     }
-}
-
-std::vector<std::uint32_t> Region::mayCross(const Bodies& bodies) const {
-    std::vector<std::uint32_t> all(bodies.size());
-    std::iota(all.begin(), all.end(), 0u);
-    return all;
 }
 
 std::vector<std::uint32_t> Region::mayCross(const Aabb& before, const Bodies& bodies,

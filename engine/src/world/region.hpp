@@ -29,8 +29,6 @@ public:
     /// bounds may meet only one of both, and the awake ones.
     std::vector<std::uint32_t> mayCross(const Aabb& before, const Bodies& bodies,
                                         const CandidatePairs& parts) const;
-    /// All bodies.
-    std::vector<std::uint32_t> mayCross(const Bodies& bodies) const;
 
     /// Updates kOutside after a change of the body or the region. True if the body has just left
     /// the region.

@@ -89,7 +89,7 @@ std::size_t WorldImpl::weld(BodyId into, BodyId part) {
     joints_.transfer(part, into, place);
     notePairChanges();
     weldBodies(bodies_, into.index, part.index);
-    placeInRegion(into.index);
+    region_.place(into.index, bodies_, contacts_);
     contacts_.bodyChanged(bodies_, tolerances_, into.index);
     remove(part);
     return firstPart;
@@ -112,7 +112,7 @@ std::size_t WorldImpl::weld(BodyId into, const Primitive& shape, const Material&
         list.former.emplace_back();
     }
     setGeometryInMotion(bodies_, into.index, makeGeometry(std::move(list)));
-    placeInRegion(into.index);
+    region_.place(into.index, bodies_, contacts_);
     contacts_.bodyChanged(bodies_, tolerances_, into.index);
     return bodies_.geometry(into.index).parts.size() - 1;
 }
@@ -147,7 +147,7 @@ BodyId WorldImpl::unweld(BodyId body, std::size_t part, std::optional<Flags> fla
     wakeNeighbours(body.index);
     contacts_.partRemoved(body.index, part, bodies_);
     const BodyId freed = unweldPart(bodies_, body.index, geometry, made);
-    placeInRegion(body.index);
+    region_.place(body.index, bodies_, contacts_);
     region_.update(bodies_, freed.index);
     contacts_.bodyChanged(bodies_, tolerances_, body.index);
     contacts_.bodyChanged(bodies_, tolerances_, freed.index);

@@ -70,11 +70,7 @@ std::vector<BodyId> World::bodies() const {
     const Bodies& all = impl().bodyData();
     std::vector<BodyId> ids;
     ids.reserve(bodyCount());
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        if (all.ids.aliveAt(i)) {
-            ids.push_back(all.idAt(i));
-        }
-    }
+    all.ids.forEach([&](std::uint32_t body) { ids.push_back(all.idAt(body)); });
     return ids;
 }
 std::vector<BodyId> World::movedBodies() const {

@@ -25,12 +25,10 @@ void addDefinitions(StateHash& hash, const WorldImpl& world) {
         visitState(stream, entry, none);
     }
     const Bodies& bodies = world.bodyData();
-    for (std::uint32_t i = 0; i < bodies.size(); ++i) {
-        if (bodies.ids.aliveAt(i)) {
-            stream.write(bodies.filter[i].required, bodies.filter[i].group,
-                         bodies.record[i].userData, bodies.record[i].rules, bodies.geometry(i));
-        }
-    }
+    bodies.ids.forEach([&](std::uint32_t i) {
+        stream.write(bodies.filter[i].required, bodies.filter[i].group, bodies.record[i].userData,
+                     bodies.record[i].rules, bodies.geometry(i));
+    });
     world.jointData().forEach([&](const JointSet::Joint& joint) { stream.write(joint.def); });
     for (const std::byte byte : stream.takeWritten()) {
         hash.add(std::to_integer<std::uint8_t>(byte));

@@ -121,6 +121,16 @@ void WorldImpl::step(Real dt, const StepOptions& options) {
     ++stepCount_;
 }
 
+/// Brings the list of awake bodies up to date. True if any may have toggled.
+bool WorldImpl::listAwake() {
+    const bool toggled = refreshAwake(bodies_);
+    joints_.findBusy(bodies_, toggled);
+    if (toggled) {
+        contacts_.candidates().moveToTrees(bodies_, bodies_.changes.toggled);
+    }
+    return toggled;
+}
+
 /// Deactivates bodies that left the region, and activates those that it reaches.
 void WorldImpl::updateAwake() {
     if (region_.isActive()) {
@@ -130,12 +140,7 @@ void WorldImpl::updateAwake() {
             }
         }
     }
-    const bool changed = refreshAwake(bodies_);
-    joints_.findBusy(bodies_, changed);
-    if (changed) {
-        contacts_.candidates().moveToTrees(bodies_, bodies_.changes.toggled);
-    }
-    if (changed && (sleep_.anyAsleep() || region_.isActive())) {
+    if (listAwake() && (sleep_.anyAsleep() || region_.isActive())) {
         for (const std::uint32_t body : bodies_.changes.toggled) {
             contacts_.activityChanged(body);
         }
@@ -155,7 +160,7 @@ void WorldImpl::setRegion(std::optional<Aabb> region) {
     const bool isMove = before && region;
     std::vector<std::uint32_t> moved =
         isMove ? region_.mayCross(*before, bodies_, contacts_.candidates())
-               : region_.mayCross(bodies_);
+               : allIndices(bodies_.size());
     changeVisits_ += moved.size();
     region_.moveInOut(moved, bodies_, contacts_);
     sleep_.wakeOn(bodies_, contacts_, moved);
@@ -175,7 +180,7 @@ void WorldImpl::wakeNeighbours(std::uint32_t body) {
 /// For a change of pose, geometry, type or filter: updates contacts, region and touching islands.
 void WorldImpl::bodyChanged(std::uint32_t body) {
     wakeNeighbours(body);
-    placeInRegion(body);
+    region_.place(body, bodies_, contacts_);
     contacts_.bodyChanged(bodies_, tolerances_, body);
     bodies_.teleported(body);
     bodies_.noteArrival(body);

@@ -104,8 +104,8 @@ private:
     void addForce(std::uint32_t body, Vec2 force, Real torque);
     void applyImpulse(std::uint32_t body, Vec2 impulse, Real angular);
     void setRules(std::uint32_t body, const MotionRules& rules);
-    void placeInRegion(std::uint32_t body) { region_.place(body, bodies_, contacts_); }
     void bodyAdded(std::uint32_t body);
+    bool listAwake();
     void updateAwake();
 
     ChangeGuard guard_;

@@ -85,19 +85,9 @@ void WorldStep::wakeIslands(bool arrivals) {
     }
 }
 
-/// Brings the list of awake bodies up to date. True if any may have toggled.
-bool WorldStep::updateAwake() {
-    const bool toggled = refreshAwake(bodies);
-    joints.findBusy(bodies, toggled);
-    if (toggled) {
-        contactSet.candidates().moveToTrees(bodies, bodies.changes.toggled);
-    }
-    return toggled;
-}
-
 /// Computes the accelerations.
 void WorldStep::gatherForces() {
-    if (updateAwake()) {
+    if (world_.listAwake()) {
         contactSet.addArrivals(bodies.changes.toggled); // kinematic bodies that stopped
     }
     if (bodies.changes.anyDamped) {
@@ -123,7 +113,7 @@ void WorldStep::gatherForces() {
 void WorldStep::runContinuous() {
     contactSet.coverDisplacements(bodies, joints.lists(), tolerances, team);
     if (canWake() && world_.sleep_.wakeRunOver(bodies, contactSet, tolerances)) {
-        updateAwake();
+        world_.listAwake();
     }
     if (!contactSet.contacts().empty()) {
         world_.continuous_.run(*this);

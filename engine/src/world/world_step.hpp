@@ -18,7 +18,6 @@ private:
     void forAwake(void (*move)(Bodies&, std::span<const std::uint32_t>));
     void makeRoom();
     void wakeIslands(bool arrivals);
-    bool updateAwake();
     void gatherForces();
     void solve();
     // A solver that is left out does not compile.
