@@ -187,6 +187,10 @@ typedef struct kodo_Filter {
 typedef int32_t kodo_BodyType;
 enum { KODO_DYNAMIC = 0, KODO_KINEMATIC = 1, KODO_STATIC = 2 };
 
+/// Against which bodies continuous collision checks a body. Of a pair, the lower mode counts.
+typedef int32_t kodo_ContinuousMode;
+enum { KODO_CONTINUOUS_NEVER = 0, KODO_CONTINUOUS_STATIC = 1, KODO_CONTINUOUS_ALL = 2 };
+
 /// How a coefficient of a contact follows from those of its two parts. Of two rules, the later one
 /// counts.
 typedef uint8_t kodo_MixRule;
@@ -448,7 +452,8 @@ enum {
     KODO_CONTINUOUS_COLLISION = 8,
     KODO_RECORDS = 16,
     KODO_SLEEP = 32,
-    KODO_ROTATION = 64
+    KODO_ROTATION = 64,
+    KODO_COLLISION = 128
 };
 
 typedef struct kodo_Settings {
@@ -537,6 +542,7 @@ typedef struct kodo_BodyDef {
     kodo_Real linearDamping;  // 1/s, 0 to 1e6: v(t) = v exp(-c t) without forces
     kodo_Real angularDamping; // 1/s, likewise
     kodo_Real gravityScale;   // of the forces of all gravity fields
+    kodo_ContinuousMode continuousMode;
     kodo_BodyType type;
     kodo_Flags flags;
     kodo_Flags required; // user flags, see kodo_Filter; needs a match mode in `flags`
@@ -589,6 +595,7 @@ typedef struct kodo_BodyState {
     kodo_Real linearDamping;  // 1/s
     kodo_Real angularDamping; // 1/s
     kodo_Real gravityScale;
+    kodo_ContinuousMode continuousMode;
 } kodo_BodyState;
 
 KODO_C_API kodo_Status kodo_bodyState(const kodo_World* world, kodo_BodyId id,
@@ -653,6 +660,8 @@ KODO_C_API kodo_Status kodo_setLinearDamping(kodo_World* world, kodo_BodyId id,
 KODO_C_API kodo_Status kodo_setAngularDamping(kodo_World* world, kodo_BodyId id,
                                               kodo_Real perSecond);
 KODO_C_API kodo_Status kodo_setGravityScale(kodo_World* world, kodo_BodyId id, kodo_Real scale);
+KODO_C_API kodo_Status kodo_setContinuousMode(kodo_World* world, kodo_BodyId id,
+                                              kodo_ContinuousMode mode);
 KODO_C_API kodo_Status kodo_setMass(kodo_World* world, kodo_BodyId id, const kodo_MassDef* mass);
 KODO_C_API kodo_Status kodo_setMassFromDensity(kodo_World* world, kodo_BodyId id);
 /// Makes a body move as another one, of this or another World, with its own shapes.
@@ -1075,13 +1084,16 @@ KODO_C_API kodo_Status kodo_stepCount(const kodo_World* world, uint64_t* count);
 
 /// Work of the last step.
 typedef struct kodo_StepStats {
-    size_t bodies;         // awake bodies
-    size_t contacts;       // visits of contacts by the solver, summed over all passes
-    size_t joints;         // joints of awake bodies
-    uint32_t mostParts;    // parts of a substep, in the island that needed the most; up to 8
-    size_t refinedBodies;  // bodies of islands with more than one part
-    uint64_t pairWork;     // pairs of nodes of bounds trees compared, all steps so far
-    uint64_t changeVisits; // bodies and parts visited by calls that concern many, so far
+    size_t bodies;          // awake bodies
+    size_t contacts;        // visits of contacts by the solver, summed over all passes
+    size_t joints;          // joints of awake bodies
+    uint32_t mostParts;     // parts of a substep, in the island that needed the most; up to 8
+    size_t refinedBodies;   // bodies of islands with more than one part
+    size_t pairs;           // pairs of parts near each other, at least one of a body that is awake
+    size_t continuousPairs; // pairs whose paths continuous collision compared
+    size_t continuousStops; // bodies that it stopped
+    uint64_t pairWork;      // pairs of nodes of bounds trees compared, all steps so far
+    uint64_t changeVisits;  // bodies and parts visited by calls that concern many, so far
 } kodo_StepStats;
 
 KODO_C_API kodo_Status kodo_stepStats(const kodo_World* world, kodo_StepStats* stats);

@@ -10,7 +10,7 @@ export {
   BadBodyId, BadDefinition, BadSnapshot, KodoError, NoMemory, OtherError, WrongUse,
 } from "./memory.js";
 export const {
-  ShapeKind, BodyType, MixRule, SolverKind, Features, Profile, JointKind, AttractorLaw, FieldKind,
+  ShapeKind, BodyType, ContinuousMode, MixRule, SolverKind, Features, Profile, JointKind, AttractorLaw, FieldKind,
   StartOverlap, StepStage, TouchPhase, Flags,
 } = layout;
 

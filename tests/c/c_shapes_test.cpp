@@ -159,6 +159,7 @@ TEST(CShapes, AllOtherNumbersOfADefinitionArrive) {
     def.linearDamping = kodo_Real(0.25);
     def.angularDamping = kodo_Real(0.5);
     def.gravityScale = -2;
+    def.continuousMode = KODO_CONTINUOUS_STATIC;
     def.flags = KODO_MATCH_ALL | KODO_NEVER_SLEEP | 3;
     def.required = KODO_USER_FLAGS;
     def.group = -4;
@@ -177,6 +178,7 @@ TEST(CShapes, AllOtherNumbersOfADefinitionArrive) {
          .linearDamping = kodo_Real(0.25),
          .angularDamping = kodo_Real(0.5),
          .gravityScale = -2,
+         .continuousMode = kodo::ContinuousMode::Static,
          .flags = kodo::kMatchAll | kodo::kNeverSleep | 3,
          .required = kodo::kUserFlags,
          .group = -4,
@@ -191,6 +193,7 @@ TEST(CShapes, AllOtherNumbersOfADefinitionArrive) {
     EXPECT_EQ(kodo_Real(0.25), state.linearDamping);
     EXPECT_EQ(kodo_Real(0.5), state.angularDamping);
     EXPECT_EQ(-2, state.gravityScale);
+    EXPECT_EQ(KODO_CONTINUOUS_STATIC, state.continuousMode);
     EXPECT_EQ(view.bounds().upper.x, state.bounds.upper.x);
     EXPECT_EQ(view.center().x, state.massFrame.position.x);
     EXPECT_EQ(view.localCenter().y, state.localCenter.y);

@@ -59,10 +59,11 @@ TEST(CWorlds, EachProfileIsThatOfCpp) {
         Scene scene;
         kodo_Settings settings = kodo_settings(profile);
         settings.sleepSteps = 7;
-        settings.leaveOut = KODO_FRICTION | KODO_ROTATION;
+        settings.leaveOut = KODO_FRICTION | KODO_ROTATION | KODO_COLLISION;
         EXPECT_OK(kodo_setSettings(scene.world, &settings));
         expected.sleepSteps = 7;
-        expected.leaveOut = kodo::Feature::Friction | kodo::Feature::Rotation;
+        expected.leaveOut =
+            kodo::Feature::Friction | kodo::Feature::Rotation | kodo::Feature::Collision;
         scene.other.setSettings(expected);
         EXPECT_EQ(scene.other.stateHash(), scene.world.hash());
         kodo_Settings read{};
@@ -206,6 +207,9 @@ TEST(CWorlds, RegionAndCountersAreThoseOfCpp) {
     EXPECT_EQ(expected.bodies, stats.bodies);
     EXPECT_EQ(expected.contacts, stats.contacts);
     EXPECT_EQ(expected.mostParts, stats.mostParts);
+    EXPECT_EQ(expected.pairs, stats.pairs);
+    EXPECT_EQ(expected.continuousPairs, stats.continuousPairs);
+    EXPECT_EQ(expected.continuousStops, stats.continuousStops);
     EXPECT_EQ(expected.refinedBodies, stats.refinedBodies);
     EXPECT_EQ(expected.pairWork, stats.pairWork);
     std::uint64_t steps = 0;
@@ -269,6 +273,8 @@ TEST(CWorlds, SettersAreThoseOfCpp) {
     compare("setAngularDamping", kodo_setAngularDamping(world, id, kodo_Real(0.25)));
     other[same].setGravityScale(-1);
     compare("setGravityScale", kodo_setGravityScale(world, id, -1));
+    other[same].setContinuousMode(kodo::ContinuousMode::Never);
+    compare("setContinuousMode", kodo_setContinuousMode(world, id, KODO_CONTINUOUS_NEVER));
     other[same].setFlags(5 | kodo::kMatchAny);
     compare("setFlags", kodo_setFlags(world, id, 5 | KODO_MATCH_ANY));
     other[same].setGroup(-5);

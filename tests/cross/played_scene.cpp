@@ -91,6 +91,7 @@ private:
         lacks(def.mass.has_value(), body.line, "mass");
         lacks(def.linearDamping != 0 || def.angularDamping != 0, body.line, "damping");
         lacks(def.gravityScale != 0 && def.gravityScale != 1, body.line, "gravity_scale");
+        lacks(def.continuousMode != kodo::ContinuousMode::All, body.line, "continuous_mode");
         lacks((def.flags & kodo::kLockMove) != 0, body.line, "lock_move");
         lacks((def.flags & kodo::kDisabled) != 0, body.line, "disabled");
         lacks(def.group != 0, body.line, "group");

@@ -89,6 +89,7 @@ TEST(SceneFile, HoldsEachShapeSurfaceAndFilter) {
                       .linearDamping = 0.5_r,
                       .angularDamping = 0.25_r,
                       .gravityScale = -2,
+                      .continuousMode = kodo::ContinuousMode::Static,
                       .flags = kodo::category(3) | kodo::category(47) | kodo::kMatchAny |
                                kodo::kNeverSleep | kodo::kLockRotate,
                       .required = kodo::category(20) | kodo::kDefaultCategory,
@@ -119,6 +120,7 @@ TEST(SceneFile, HoldsEachShapeSurfaceAndFilter) {
         EXPECT_EQ(a.inertia(), b.inertia()) << i;
         EXPECT_EQ(a.velocity(), b.velocity()) << i;
         EXPECT_EQ(a.gravityScale(), b.gravityScale()) << i;
+        EXPECT_EQ(a.continuousMode(), b.continuousMode()) << i;
         ASSERT_EQ(a.partCount(), b.partCount()) << i;
         for (std::size_t k = 0; k < a.partCount(); ++k) {
             EXPECT_EQ(a.part(k).primitive, b.part(k).primitive) << i;

@@ -291,7 +291,6 @@ TEST(BadInput, InSettingsIsRefused) {
                  [](StepSettings& s) { s = thesis2006(), s.propagation().shockPasses = 1001; }),
         settings("settings.sleepSteps", [](StepSettings& s) { s.sleepSteps = 0; }),
         settings("settings.sleepSteps", [](StepSettings& s) { s.sleepSteps = 1000001; }),
-        settings("settings.leaveOut", [](StepSettings& s) { s.leaveOut.bits = 128; }),
     };
     // The largest number would overflow in the products of a spring.
     for (const Real value : {Real(0), Real(-1), kNan, kInf, std::numeric_limits<Real>::max()}) {

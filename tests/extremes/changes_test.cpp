@@ -200,7 +200,7 @@ private:
         settings = support::withSubsteps(settings, 1 + static_cast<int>(random_.below(6)));
         settings.sleepSteps = random_.below(2) == 0 ? 5 : 30;
         settings.leaveOut.bits =
-            random_.below(2) == 0 ? std::uint8_t{0} : static_cast<std::uint8_t>(random_.below(128));
+            random_.below(2) == 0 ? std::uint8_t{0} : static_cast<std::uint8_t>(random_.below(256));
         return [=](World& w) { w.setSettings(settings); };
     }
 

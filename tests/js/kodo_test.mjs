@@ -162,6 +162,20 @@ test("all shapes collide with a ball that falls on them", () => {
                    [{ x: 0, y: 0 }, { x: 1, y: 0 }, { x: 0, y: 1 }]);
 });
 
+test("only a body whose continuous mode says so tunnels", () => {
+  const { ContinuousNever, ContinuousStatic, ContinuousAll } = kodo.ContinuousMode;
+  for (const continuousMode of [ContinuousNever, ContinuousStatic, ContinuousAll]) {
+    const world = new World();
+    world.add({ shape: box(0.02, 9), position: { x: 5, y: 0 }, type: kodo.BodyType.Static });
+    const ball = world.add({ shape: circle(0.1), velocity: { x: 400, y: 0 }, continuousMode });
+    assert.equal(ball.continuousMode, continuousMode);
+    world.step(kDt);
+    assert.equal(ball.position.x > 5, continuousMode === ContinuousNever);
+    ball.setContinuousMode(ContinuousAll);
+    assert.equal(ball.continuousMode, ContinuousAll);
+  }
+});
+
 test("joints are read as they were given", () => {
   const world = withGround();
   const [a, b, c] = [0, 2, 4].map((x) => world.add({ shape: box(1, 1), position: { x, y: 2 } }));

@@ -46,6 +46,8 @@ class Structs(unittest.TestCase):
                 self.assertEqual(int(numbers[member.name]), member.value, member)
         for member in kodo.StartOverlap:
             self.assertEqual(int(numbers["START_" + member.name]), member.value, member)
+        for member in kodo.ContinuousMode:
+            self.assertEqual(int(numbers["CONTINUOUS_" + member.name]), member.value, member)
 
 
 class Pictures(unittest.TestCase):
@@ -163,6 +165,30 @@ class Bodies(unittest.TestCase):
             world.step(1 / 60)
         self.assertAlmostEqual(2, crate.velocity[0], places=3)
         self.assertGreater(ball.position[1], 0)
+
+    def test_only_a_body_whose_continuous_mode_says_so_tunnels(self):
+        mode = kodo.ContinuousMode
+        for own, thick in ((mode.NEVER, False), (mode.STATIC, True), (mode.ALL, True)):
+            world = kodo.World()
+            world.add(kodo.Box(0.02, 9), (5, 0), type=kodo.BodyType.STATIC)
+            ball = world.add(kodo.Circle(0.1), velocity=(400, 0), continuous_mode=own)
+            self.assertEqual(own, ball.continuous_mode)
+            world.step(1 / 60)
+            self.assertEqual(thick, ball.position[0] < 5)
+            self.assertEqual(int(thick), world.stats.continuous_stops)
+            ball.continuous_mode = mode.ALL
+            self.assertIs(mode.ALL, ball.continuous_mode)
+
+    def test_a_world_without_collision_has_no_contacts(self):
+        settings = kodo.balanced()
+        settings.leave_out = kodo.Feature.COLLISION
+        world = kodo.World(gravity=(0, -10), settings=settings)
+        world.add(kodo.Box(9, 1), type=kodo.BodyType.STATIC)
+        ball = world.add(kodo.Circle(0.5), (0, 1))
+        for _ in range(60):
+            world.step(1 / 60)
+        self.assertLess(ball.position[1], -3)
+        self.assertEqual(0, world.stats.pair_work)
 
     def test_damping_gravity_scale_and_sleep_by_call(self):
         world = kodo.World(gravity=(0, -10))
@@ -299,6 +325,7 @@ class Errors(unittest.TestCase):
             "user_data": lambda: world.add(kodo.Circle(1), user_data="a"),
             "flags": lambda: world.add(kodo.Circle(1), flags=0.5),
             "type": lambda: world.add(kodo.Circle(1), type="static"),
+            "continuous_mode": lambda: setattr(ball, "continuous_mode", 3),
             "motor_speed": lambda: world.add_joint(hinge),
             "gravity_scale": lambda: setattr(ball, "gravity_scale", "1"),
             "dt": lambda: world.step("1/60"),

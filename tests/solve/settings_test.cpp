@@ -46,7 +46,7 @@ TEST(StepSettings, EachNumberIsChecked) {
 constexpr Feature kEachFeature[] = {Feature::Friction,    Feature::RollingResistance,
                                     Feature::Restitution, Feature::ContinuousCollision,
                                     Feature::Records,     Feature::Sleep,
-                                    Feature::Rotation};
+                                    Feature::Rotation,    Feature::Collision};
 
 TEST(StepSettings, FeaturesAreLeftOutIndependently) {
     for (const Feature out : kEachFeature) {

@@ -121,17 +121,19 @@ TEST(GravityScale, OfASleepingBodyWakesItWhenItChanges) {
     EXPECT_GT(world[box].position().y, 4);
 }
 
-// Clones, copies, welded parts and snapshots keep all three; a part that never was a body moves on
+// Clones, copies, welded parts and snapshots keep all four; a part that never was a body moves on
 // as the whole did.
 TEST(MotionRules, GoWithTheBody) {
     World world;
     BodyDef def = moving(Real(0.5), Real(0.25));
     def.gravityScale = -2;
+    def.continuousMode = ContinuousMode::Static;
     const BodyId body = world.add(def);
     const auto expectSame = [&](const BodyView& other) {
         EXPECT_EQ(other.linearDamping(), Real(0.5));
         EXPECT_EQ(other.angularDamping(), Real(0.25));
         EXPECT_EQ(other.gravityScale(), -2);
+        EXPECT_EQ(other.continuousMode(), ContinuousMode::Static);
     };
     expectSame(world[body]);
     expectSame(world[world.clone(body, {5, 5})]);
@@ -141,6 +143,7 @@ TEST(MotionRules, GoWithTheBody) {
     const BodyId into = world.add(support::boxDef({-20, 0}, 1, 1));
     const std::size_t part = world.weld(into, body);
     EXPECT_EQ(world[into].linearDamping(), 0);
+    EXPECT_EQ(world[into].continuousMode(), ContinuousMode::All);
     World read = fromBytes(toBytes(world));
     EXPECT_EQ(read.stateHash(), world.stateHash());
     expectSame(std::as_const(read)[other]);
@@ -168,6 +171,10 @@ TEST(MotionRules, CountInTheHash) {
     EXPECT_NE(world.stateHash(), plain);
     world[body].setAngularDamping(0);
     world[body].setGravityScale(0);
+    EXPECT_NE(world.stateHash(), plain);
+    world[body].setGravityScale(1);
+    EXPECT_EQ(world.stateHash(), plain);
+    world[body].setContinuousMode(ContinuousMode::Never);
     EXPECT_NE(world.stateHash(), plain);
 }
 

@@ -80,7 +80,7 @@ TEST(SnapshotRefused, WithAReason) {
     EXPECT_EQ(refusalOf({}), "the bytes end too soon");
     EXPECT_EQ(refusalOf(changed(good, 0, 'k')), "these bytes are no snapshot of a Kodo World");
     EXPECT_EQ(refusalOf(changed(good, kFormatAt, 200)),
-              "the snapshot has format 200, but this version of Kodo reads format 25");
+              "the snapshot has format 200, but this version of Kodo reads format 26");
     const int mine = sizeof(Real);
     const int other = 12 - mine;
     EXPECT_EQ(refusalOf(changed(good, kPrecisionAt, other)),

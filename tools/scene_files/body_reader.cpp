@@ -140,6 +140,9 @@ void readMotion(Table& table, kodo::BodyDef& def) {
         table.noUse({"gravity_scale"}, "a weightless body");
         def.gravityScale = 0;
     }
+    if (const auto mode = table.choice("continuous_mode", kContinuousModes)) {
+        def.continuousMode = static_cast<kodo::ContinuousMode>(*mode);
+    }
     const std::pair<const char*, Flags> flags[] = {{"upright", kodo::kLockRotate},
                                                    {"lock_move", kodo::kLockMove},
                                                    {"never_sleep", kodo::kNeverSleep},
@@ -291,6 +294,7 @@ FileBody readBody(TomlKeys& keys, const toml::table& own) {
                     "linear_damping",
                     "angular_damping",
                     "gravity_scale",
+                    "continuous_mode",
                     "weightless",
                     "upright",
                     "lock_move",

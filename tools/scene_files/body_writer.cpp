@@ -246,6 +246,10 @@ std::string bodyText(const kodo::BodyView& body, const std::string& name) {
         lines.flag("upright", (body.flags() & kodo::kLockRotate) != 0);
         lines.flag("lock_move", (body.flags() & kodo::kLockMove) != 0);
     }
+    if (body.continuousMode() != kodo::ContinuousMode::All) {
+        lines.add("continuous_mode",
+                  inQuotes(kContinuousModes[static_cast<std::size_t>(body.continuousMode())]));
+    }
     lines.flag("never_sleep", (body.flags() & kodo::kNeverSleep) != 0);
     lines.flag("disabled", (body.flags() & kodo::kDisabled) != 0);
     writeFilter(lines, {body.flags(), body.required(), body.group()}, false);

@@ -15,6 +15,8 @@ inline namespace KODO_PRECISION {
 
 inline constexpr std::array<std::string_view, 3> kBodyTypes{"dynamic", "kinematic",
                                                             "static"}; // of BodyType
+inline constexpr std::array<std::string_view, 3> kContinuousModes{"never", "static",
+                                                                  "all"}; // of ContinuousMode
 inline constexpr std::array<std::string_view, 11> kJointKinds{
     "revolute", "fixed",  "distance", "prismatic", "motor", "mouse",
     "wheel",    "pulley", "gear",     "filter",    "rope"}; // of JointDef; a rope is a distance
@@ -26,9 +28,9 @@ inline constexpr std::array<std::string_view, 2> kAttractorLaws{"inverse_square"
 inline constexpr std::array<std::string_view, 5> kMixRules{"geometric_mean", "minimum", "mean",
                                                            "multiply", "maximum"}; // of MixRule
 inline constexpr std::array<std::string_view, 2> kSolvers{"soft", "propagation"};
-inline constexpr std::array<std::string_view, 7> kFeatures{
-    "friction", "rolling_resistance", "restitution", "continuous_collision", "records", "sleep",
-    "rotation"}; // by bit of Features
+inline constexpr std::array<std::string_view, 8> kFeatures{
+    "friction", "rolling_resistance", "restitution", "continuous_collision", "records",
+    "sleep",    "rotation",           "collision"}; // by bit of Features
 inline constexpr std::array<std::string_view, 4> kMatches{"none", "any", "all",
                                                           "equal"}; // bits from kMatchNone on
 inline constexpr unsigned kCategories = 48;

@@ -16,8 +16,8 @@ void writeMass(const std::optional<kodo::MassDef>& mass, kodo_BodyDef& def) {
 
 void writeDefaults(kodo_BodyDef& def) {
     const auto& [shape, position, rotation, velocity, angularVelocity, material, density, mass,
-                 linearDamping, angularDamping, gravityScale, type, flags, required, group,
-                 userData] = kodo::BodyDef{};
+                 linearDamping, angularDamping, gravityScale, continuousMode, type, flags, required,
+                 group, userData] = kodo::BodyDef{};
     def.shape = toC(kodo::primitivesOf(shape).front());
     def.position = toC(position);
     def.rotation = toC(rotation);
@@ -29,6 +29,7 @@ void writeDefaults(kodo_BodyDef& def) {
     def.linearDamping = linearDamping;
     def.angularDamping = angularDamping;
     def.gravityScale = gravityScale;
+    def.continuousMode = static_cast<kodo_ContinuousMode>(continuousMode);
     def.type = toC(type);
     def.flags = flags;
     def.required = required;
@@ -51,20 +52,36 @@ kodo::BodyType bodyTypeFromC(kodo_BodyType type) {
     return static_cast<kodo::BodyType>(type);
 }
 
+kodo::ContinuousMode continuousModeFromC(kodo_ContinuousMode mode) {
+    static_assert(KODO_CONTINUOUS_STATIC == static_cast<int>(kodo::ContinuousMode::Static));
+    static_assert(KODO_CONTINUOUS_ALL == static_cast<int>(kodo::ContinuousMode::All));
+    requireKind(mode, KODO_CONTINUOUS_ALL + 1, "continuousMode");
+    return static_cast<kodo::ContinuousMode>(mode);
+}
+
 kodo::MassDef fromC(const kodo_MassDef& mass) {
     return {mass.mass, optionalFromC(mass.hasCenter, mass.center, "hasCenter"),
             optionalFromC(mass.hasInertia, mass.inertia, "hasInertia")};
 }
 
 kodo::BodyDef fromC(const kodo_BodyDef& def) {
-    return {fromC(def.shape),    fromC(def.position),
-            fromC(def.rotation), fromC(def.velocity),
-            def.angularVelocity, fromC(def.material),
-            def.density,         optionalFromC(def.hasMass, def.mass, "hasMass"),
-            def.linearDamping,   def.angularDamping,
-            def.gravityScale,    bodyTypeFromC(def.type),
-            def.flags,           def.required,
-            def.group,           def.userData};
+    return {fromC(def.shape),
+            fromC(def.position),
+            fromC(def.rotation),
+            fromC(def.velocity),
+            def.angularVelocity,
+            fromC(def.material),
+            def.density,
+            optionalFromC(def.hasMass, def.mass, "hasMass"),
+            def.linearDamping,
+            def.angularDamping,
+            def.gravityScale,
+            continuousModeFromC(def.continuousMode),
+            bodyTypeFromC(def.type),
+            def.flags,
+            def.required,
+            def.group,
+            def.userData};
 }
 
 kodo_BodyState stateOf(const kodo::BodyView& body) {
@@ -90,6 +107,7 @@ kodo_BodyState stateOf(const kodo::BodyView& body) {
     state.linearDamping = body.linearDamping();
     state.angularDamping = body.angularDamping();
     state.gravityScale = body.gravityScale();
+    state.continuousMode = static_cast<kodo_ContinuousMode>(body.continuousMode());
     return state;
 }
 

@@ -106,6 +106,11 @@ kodo_Status kodo_setGravityScale(kodo_World* world, kodo_BodyId id, kodo_Real sc
     return change(world, id, [&](kodo::BodyRef body) { body.setGravityScale(scale); });
 }
 
+kodo_Status kodo_setContinuousMode(kodo_World* world, kodo_BodyId id, kodo_ContinuousMode mode) {
+    return change(world, id,
+                  [&](kodo::BodyRef body) { body.setContinuousMode(continuousModeFromC(mode)); });
+}
+
 kodo_Status kodo_setMass(kodo_World* world, kodo_BodyId id, const kodo_MassDef* mass) {
     return change(world, id,
                   [&](kodo::BodyRef body) { body.setMass(fromC(required(mass, "mass"))); });

@@ -117,6 +117,7 @@ inline kodo_BodyType toC(kodo::BodyType type) {
     return static_cast<kodo_BodyType>(type);
 }
 kodo::BodyType bodyTypeFromC(kodo_BodyType type);
+kodo::ContinuousMode continuousModeFromC(kodo_ContinuousMode mode);
 
 kodo::Shape fromC(const kodo_Shape& shape);
 /// Throws BadDefinition for a compound, a heightmap and a chain.

@@ -86,10 +86,11 @@ kodo_Status kodo_stepCount(const kodo_World* world, uint64_t* count) {
 
 kodo_Status kodo_stepStats(const kodo_World* world, kodo_StepStats* stats) {
     return guarded([&] {
-        const auto [bodies, contacts, joints, parts, refined, pairWork, changeVisits] =
-            kodo::stepStats(worldOf(world));
-        required(stats, "stats") = {bodies,  contacts, joints,      parts,
-                                    refined, pairWork, changeVisits};
+        const auto [bodies, contacts, joints, parts, refined, pairs, continuousPairs,
+                    continuousStops, pairWork, changeVisits] = kodo::stepStats(worldOf(world));
+        required(stats, "stats") = {bodies,   contacts,    joints,          parts,
+                                    refined,  pairs,       continuousPairs, continuousStops,
+                                    pairWork, changeVisits};
     });
 }
 

@@ -54,6 +54,14 @@ enum class BodyType : std::uint8_t {
     Static,    // never; infinite mass
 };
 
+/// Against which bodies continuous collision checks a body. A pair is checked as the lower of both
+/// modes says.
+enum class ContinuousMode : std::uint8_t {
+    Never,  // it may tunnel, and passes sensors unnoticed
+    Static, // a pair with a body that nothing moves: static, kinematic, frozen, or locked
+    All,
+};
+
 /// With less, the rim of a body would give way to its contacts. That of a disc is 1/2.
 inline constexpr Real kMinInertiaShare = Real(1) / 256;
 
@@ -80,6 +88,7 @@ struct BodyDef {
     Real linearDamping = 0;        // 1/s, 0 to kMaxDamping: v(t) = v exp(-c t) without forces
     Real angularDamping = 0;       // 1/s, likewise
     Real gravityScale = 1;         // of the forces of all Gravity fields; up to kMaxGravityScale
+    ContinuousMode continuousMode = ContinuousMode::All;
     BodyType type = BodyType::Dynamic;
     Flags flags = 0;            // categories, a match mode, motion locks, kSensor, ...
     Flags required = 0;         // see CollisionFilter; refused without a match mode
@@ -147,6 +156,7 @@ public:
     Real linearDamping() const;  // 1/s
     Real angularDamping() const; // 1/s
     Real gravityScale() const;
+    ContinuousMode continuousMode() const;
 
     // Between the world and the frame of the shape: points (m), and vectors, which only turn.
     Vec2 toWorld(Vec2 point) const { return transform() * point; }
@@ -212,6 +222,7 @@ public:
     void setLinearDamping(Real perSecond);
     void setAngularDamping(Real perSecond);
     void setGravityScale(Real scale);
+    void setContinuousMode(ContinuousMode mode);
 
     /// Sets the mass (kg), also of a static or kinematic body, for which it counts once the body is
     /// dynamic. All points keep their velocities. World::weld() adds masses, set or not, and
@@ -223,10 +234,10 @@ public:
 
     /// Makes the body move as another one, of this or another World, with its own shapes [Thesis06,
     /// 4.1.8]. Copies pose, velocities, type, flags without status, `required`, group, damping,
-    /// gravity scale, mass, centre of mass and moment of inertia; the material of each part, or of
-    /// the last one for parts that the other has not. User data, forces and joints stay. Refused
-    /// where a setter would refuse it; a body that is static, kinematic or locked then keeps a mass
-    /// that it cannot copy.
+    /// gravity scale, continuous mode, mass, centre of mass and moment of inertia; the material of
+    /// each part, or of the last one for parts that the other has not. User data, forces and joints
+    /// stay. Refused where a setter would refuse it; a body that is static, kinematic or locked
+    /// then keeps a mass that it cannot copy.
     void copyFrom(const BodyView& other);
 
     /// Wakes the body, its island, and all that touches it or shares a joint with it; restarts the

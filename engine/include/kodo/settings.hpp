@@ -19,7 +19,8 @@ enum class Feature : std::uint8_t {
     ContinuousCollision = 8, // without it fast bodies can tunnel
     Records = 16,            // World::collisions()
     Sleep = 32,
-    Rotation = 64, // without it all bodies have kLockRotate, and spins are set to zero
+    Rotation = 64,   // without it all bodies have kLockRotate, and spins are set to zero
+    Collision = 128, // without it nothing touches, and queries visit all parts
 };
 
 /// A set of features, for example Feature::Sleep | Feature::Records.

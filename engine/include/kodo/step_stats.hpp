@@ -23,8 +23,11 @@ struct StepStats {
     /// Parts into which the soft solver divided each substep of the island that needed the most,
     /// up to 8: for heavy bodies on light ones, pins under a load, and very large forces.
     std::uint32_t mostParts = 1;
-    std::size_t refinedBodies = 0; // bodies of islands with more than one part
-    std::uint64_t pairWork = 0;    // pairs of nodes of bounds trees compared, all steps so far
+    std::size_t refinedBodies = 0;   // bodies of islands with more than one part
+    std::size_t pairs = 0;           // of parts of awake bodies that are near each other
+    std::size_t continuousPairs = 0; // whose paths continuous collision compared
+    std::size_t continuousStops = 0; // bodies that it stopped
+    std::uint64_t pairWork = 0;      // pairs of nodes of bounds trees compared, all steps so far
     /// Bodies and parts that calls visited which concern many: setRegion(), forces on all, and
     /// welds whose parts need more room in the next step. Also contacts outside the region that
     /// calls and steps visited. Of all calls so far.

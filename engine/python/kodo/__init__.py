@@ -28,8 +28,8 @@ from .settings import (Feature, PropagationSettings, Settings, SoftSettings, acc
                        fast, thesis2006)
 from .shapes import (Box, Capsule, Chain, Circle, Compound, Heightmap, MassDef, Part, Plane, Point,
                      Polygon, Segment)
-from .values import (BodyId, BodyType, Filter, Flags, JointId, Material, MixRule, Phase,
-                     StartOverlap, Transform, with_friction)
+from .values import (BodyId, BodyType, ContinuousMode, Filter, Flags, JointId, Material, MixRule,
+                     Phase, StartOverlap, Transform, with_friction)
 from .world import ThreadPool, World
 from .worlds import Worlds
 
@@ -54,6 +54,7 @@ __all__ = [
     "ClosestPoints",
     "CollisionRecord",
     "Compound",
+    "ContinuousMode",
     "DistanceJoint",
     "Drag",
     "ExplosionHit",

@@ -248,6 +248,7 @@ class BodyDef(Values):
         ("linearDamping", Real),
         ("angularDamping", Real),
         ("gravityScale", Real),
+        ("continuousMode", c_int32),
         ("type", c_int32),
         ("flags", c_uint64),
         ("required", c_uint64),
@@ -279,6 +280,7 @@ class BodyState(Values):
         ("linearDamping", Real),
         ("angularDamping", Real),
         ("gravityScale", Real),
+        ("continuousMode", c_int32),
     ]
 
 
@@ -555,6 +557,9 @@ class StepStats(Values):
         ("joints", c_size_t),
         ("mostParts", c_uint32),
         ("refinedBodies", c_size_t),
+        ("pairs", c_size_t),
+        ("continuousPairs", c_size_t),
+        ("continuousStops", c_size_t),
         ("pairWork", c_uint64),
         ("changeVisits", c_uint64),
     ]

@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, List, Optional, Tuple, Union
 from . import _structs as c
 from ._library import call
 from .shapes import BuiltShape, MassDef, Part, Primitive, from_shape, to_mass
-from .values import (Aabb, BodyId, BodyType, Filter, Material, Transform, Vec2, from_aabb, from_body_id,
-                     from_material, from_transform, from_vec2, to_bits, to_body_id, to_filter, to_group,
-                     to_material, to_real, to_rot, to_type, to_vec2)
+from .values import (Aabb, BodyId, BodyType, ContinuousMode, Filter, Material, Transform, Vec2,
+                     from_aabb, from_body_id, from_material, from_transform, from_vec2, to_bits,
+                     to_body_id, to_filter, to_group, to_material, to_mode, to_real, to_rot, to_type,
+                     to_vec2)
 
 if TYPE_CHECKING:
     from .world import World
@@ -170,6 +171,15 @@ class Body:
     @gravity_scale.setter
     def gravity_scale(self, scale: float) -> None:
         self._call("kodo_setGravityScale", to_real("gravity_scale", scale))
+
+    @property
+    def continuous_mode(self) -> ContinuousMode:
+        """Against which bodies continuous collision checks it; of a pair the lower mode counts."""
+        return ContinuousMode(self._state().continuousMode)
+
+    @continuous_mode.setter
+    def continuous_mode(self, mode: ContinuousMode) -> None:
+        self._call("kodo_setContinuousMode", to_mode(mode))
 
     @property
     def mass(self) -> float:

@@ -105,6 +105,9 @@ class StepStats(NamedTuple):
     joints: int  #: joints of awake bodies
     most_parts: int  #: parts of a substep, in the island that needed the most; up to 8
     refined_bodies: int  #: bodies of islands with more than one part
+    pairs: int  #: pairs of parts near each other, at least one of a body that is awake
+    continuous_pairs: int  #: pairs whose paths continuous collision compared
+    continuous_stops: int  #: bodies that it stopped
     pair_work: int  #: pairs of nodes of bounds trees compared, all steps so far
     change_visits: int  #: bodies and parts visited by calls that concern many, so far
 

@@ -19,6 +19,7 @@ class Feature(enum.IntFlag):
     RECORDS = 16  #: World.collisions()
     SLEEP = 32
     ROTATION = 64
+    COLLISION = 128  #: without it nothing touches, and queries visit all parts
 
 
 @dataclasses.dataclass

@@ -28,6 +28,14 @@ class BodyType(enum.IntEnum):
     STATIC = 2  #: never
 
 
+class ContinuousMode(enum.IntEnum):
+    """Against which bodies continuous collision checks a body. Of a pair, the lower mode counts."""
+
+    NEVER = 0  #: it may tunnel, and passes sensors unnoticed
+    STATIC = 1  #: static and kinematic ones, and others that nothing moves
+    ALL = 2
+
+
 class Flags(enum.IntFlag):
     """Flags of a body beside the 48 categories of the user (bits 0 to 15 and 32 to 63)."""
 
@@ -161,6 +169,13 @@ def to_type(value: BodyType) -> int:
         return BodyType(value)
     except ValueError:
         raise TypeError(f"type: must be a BodyType, but is {value!r}") from None
+
+
+def to_mode(value: ContinuousMode) -> int:
+    try:
+        return ContinuousMode(value)
+    except ValueError:
+        raise TypeError(f"continuous_mode: must be a ContinuousMode, but is {value!r}") from None
 
 
 def _to_integer(name: str, value: int) -> int:

@@ -18,9 +18,10 @@ from .records import (ClosestPoints, CollisionRecord, ExplosionHit, QueryContact
                       QueryPoint, RaySpan, StepStats, from_hit, from_query_point, from_record)
 from .settings import Settings, from_settings, to_settings
 from .shapes import BuiltShape, Circle, MassDef, Shape, to_mass
-from .values import (Aabb, BodyId, BodyType, Filter, JointId, Material, StartOverlap, Vec2, from_aabb,
-                     from_body_id, from_joint_id, from_vec2, to_aabb, to_array, to_bits, to_body_id,
-                     to_filter, to_group, to_joint_id, to_material, to_real, to_rot, to_type, to_vec2)
+from .values import (Aabb, BodyId, BodyType, ContinuousMode, Filter, JointId, Material, StartOverlap,
+                     Vec2, from_aabb, from_body_id, from_joint_id, from_vec2, to_aabb, to_array,
+                     to_bits, to_body_id, to_filter, to_group, to_joint_id, to_material, to_mode,
+                     to_real, to_rot, to_type, to_vec2)
 
 #: A handle or an id names a body.
 BodyLike = Union[Body, BodyId]
@@ -134,6 +135,7 @@ class World:
         linear_damping: float = 0.0,
         angular_damping: float = 0.0,
         gravity_scale: float = 1.0,
+        continuous_mode: ContinuousMode = ContinuousMode.ALL,
     ) -> Body:
         """Adds a body. position: m, world, of the shape's frame; angle: rad; velocity: m/s, of the
         centre of mass; angular_velocity: rad/s; density: kg/m^2; mass: kg, instead of that of the
@@ -158,6 +160,7 @@ class World:
         definition.linearDamping = linear_damping
         definition.angularDamping = angular_damping
         definition.gravityScale = gravity_scale
+        definition.continuousMode = to_mode(continuous_mode)
         added = c.BodyId()
         call("kodo_addBody", self.handle, byref(definition), byref(added))
         return Body(self, from_body_id(added))

@@ -51,7 +51,8 @@ void updateAwake(Bodies& bodies, std::span<const std::uint32_t> changed) {
 
 /// True if neither a lock nor a setting stops the rotation of a body. A particle has none to stop.
 bool canTurn(const Bodies& bodies, std::uint32_t body) {
-    return bodies.motion[body].invInertia > 0 || (bodies.turns && isParticle(bodies, body));
+    return bodies.motion[body].invInertia > 0 ||
+           (!bodies.leftOut.has(Feature::Rotation) && isParticle(bodies, body));
 }
 
 } // namespace
@@ -105,7 +106,7 @@ BodyId addBody(Bodies& bodies, const BodyDef& def, std::shared_ptr<const BodyGeo
     record.geometry = std::move(geometry);
     record.userData = def.userData;
     bodies.record[slot.index] = std::move(record);
-    setRules(bodies, slot.index, {def.linearDamping, def.angularDamping, def.gravityScale});
+    setRules(bodies, slot.index, rulesOf(def));
     bodies.changes.lostLoads.reserve(bodies.record.capacity());
     bodies.filter[slot.index] = {(def.flags & ~(kStatusFlags | kTypeBits)) | bitsOf(def.type),
                                  def.required, def.group};
@@ -327,18 +328,19 @@ void refreshDerived(Bodies& bodies, std::uint32_t index) {
     const bool frozen = (flags & kFrozen) != 0;
     bodies.motion[index].invMass = frozen || (locks & kLockMove) != 0 ? 0 : 1 / mass.mass;
     // A particle has neither inertia nor a lever arm.
-    const bool free = bodies.turns && !frozen && (locks & kLockRotate) == 0;
+    const bool free =
+        !bodies.leftOut.has(Feature::Rotation) && !frozen && (locks & kLockRotate) == 0;
     const bool turns = free && mass.inertia > 0;
     bodies.motion[index].invInertia = turns ? 1 / mass.inertia : 0;
     bodies.accelerationsStale = true;
 }
 
-void setTurns(Bodies& bodies, bool turns) {
-    bodies.turns = turns;
+void rotationChanged(Bodies& bodies) {
     bodies.ids.forEach([&](std::uint32_t index) {
         refreshDerived(bodies, index);
         bodies.teleported(index);
-        if (!turns && (locksOf(bodies.filter[index].flags) & kLockRotate) == 0) {
+        if (bodies.leftOut.has(Feature::Rotation) &&
+            (locksOf(bodies.filter[index].flags) & kLockRotate) == 0) {
             bodies.motion[index].angularVelocity = 0;
         }
     });

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <kodo/settings.hpp>
+
 #include "base/id_pool.hpp"
 #include "base/vector_reuse.hpp"
 #include "bodies/body_geometry.hpp"
@@ -47,6 +49,7 @@ struct BodyChanges {
     bool loadsStale = true;                // Bodies::loads
     bool anyDamped = false;                // some body has, or had, a damping
     bool partFilters = false;              // some part has, or had, a filter of its own
+    bool continuousModes = false;          // some body has, or had, another one than All
 };
 
 /// All bodies of a World as parallel arrays, indexed by BodyId::index. A free slot has zero
@@ -82,7 +85,7 @@ struct Bodies {
     std::size_t thinnestAge = 1;
     bool anyStopped = false;        // a kinematic body in the list has become motionless
     bool anySleeping = true;        // during the solve
-    bool turns = true;              // false: Feature::Rotation is off
+    Features leftOut;               // StepSettings::leaveOut
     bool accelerationsStale = true; // of all bodies; of a few: see BodyChanges::entered
 
     BodyId idAt(std::size_t index) const {
@@ -234,9 +237,9 @@ void refreshDerived(Bodies& bodies, std::uint32_t index);
 /// True for a movable body without inertia, whose rotation nothing locks.
 bool isParticle(const Bodies& bodies, std::uint32_t body);
 
-/// Enables or disables rotation. Without it, all bodies act as with kLockRotate, and bodies that
-/// could rotate lose their angular velocity.
-void setTurns(Bodies& bodies, bool turns);
+/// Feature::Rotation was left out or is back. Without it, all bodies act as with kLockRotate, and
+/// bodies that could rotate lose their angular velocity.
+void rotationChanged(Bodies& bodies);
 
 /// World bounds of all parts.
 Aabb boundsOfBody(const Bodies& bodies, std::size_t body);

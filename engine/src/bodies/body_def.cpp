@@ -84,7 +84,9 @@ std::optional<Problem> check(const MotionRules& rules) {
     return firstOf(
         {checkRange("linearDamping", rules.linearDamping, 0, kMaxDamping, "1/s"),
          checkRange("angularDamping", rules.angularDamping, 0, kMaxDamping, "1/s"),
-         checkRange("gravityScale", rules.gravityScale, -kMaxGravityScale, kMaxGravityScale)});
+         checkRange("gravityScale", rules.gravityScale, -kMaxGravityScale, kMaxGravityScale),
+         problemIf(rules.continuousMode > ContinuousMode::All, "continuousMode",
+                   "must be one of the enumerators of ContinuousMode")});
 }
 
 std::optional<Problem> checkFlags(const char* field, Flags value) {
@@ -169,15 +171,14 @@ std::optional<Problem> check(const BodyDef& def, Real lengthUnit) {
         problem->field = "shape." + problem->field;
         return problem;
     }
-    if (auto problem = firstOf(
-            {checkType(def), checkFlags("flags", def.flags),
-             checkMatch("required", {def.flags, def.required}),
-             checkPosition("position", def.position, lengthUnit),
-             checkRotation("rotation", def.rotation),
-             checkVelocity("velocity", def.velocity, lengthUnit),
-             checkAngularVelocity("angularVelocity", def.angularVelocity), check(def.material),
-             checkDensity(def.density),
-             check(MotionRules{def.linearDamping, def.angularDamping, def.gravityScale})})) {
+    if (auto problem =
+            firstOf({checkType(def), checkFlags("flags", def.flags),
+                     checkMatch("required", {def.flags, def.required}),
+                     checkPosition("position", def.position, lengthUnit),
+                     checkRotation("rotation", def.rotation),
+                     checkVelocity("velocity", def.velocity, lengthUnit),
+                     checkAngularVelocity("angularVelocity", def.angularVelocity),
+                     check(def.material), checkDensity(def.density), check(rulesOf(def))})) {
         return problem;
     }
     const std::vector<Part> parts = partsOf(def);

@@ -155,7 +155,7 @@ void visitState(StateStream& stream, Bodies& bodies,
                 std::shared_ptr<const BodyGeometry>& lastGeometry) {
     auto& [ids, stamp, motion, pose, acceleration, extent, teleportCount, hasTeleported, hasArrived,
            start, filter, records, parts, sleep, forced, awake, nextAwake, thinnest, loads, changes,
-           thinnestAge, anyStopped, anySleeping, turns, accelerationsStale] = bodies;
+           thinnestAge, anyStopped, anySleeping, leftOut, accelerationsStale] = bodies;
     Geometries geometries;
     for (const BodyRecord& record : records) {
         geometries.note(record.geometry);

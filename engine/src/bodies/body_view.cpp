@@ -85,6 +85,9 @@ Real BodyView::angularDamping() const {
 Real BodyView::gravityScale() const {
     return bodies_->record[index()].rules.gravityScale;
 }
+ContinuousMode BodyView::continuousMode() const {
+    return bodies_->record[index()].rules.continuousMode;
+}
 std::size_t BodyView::partCount() const {
     return bodies_->geometry(index()).parts.size();
 }

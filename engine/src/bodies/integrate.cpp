@@ -149,6 +149,8 @@ void setRules(Bodies& bodies, std::uint32_t body, const MotionRules& rules) {
     bodies.record[body].rules = rules;
     bodies.changes.anyDamped =
         bodies.changes.anyDamped || rules.linearDamping > 0 || rules.angularDamping > 0;
+    bodies.changes.continuousModes =
+        bodies.changes.continuousModes || rules.continuousMode != ContinuousMode::All;
     bodies.accelerationsStale = true;
 }
 

@@ -134,6 +134,7 @@ BodyDef definitionOf(const FormerBody& body) {
     def.linearDamping = body.rules.linearDamping;
     def.angularDamping = body.rules.angularDamping;
     def.gravityScale = body.rules.gravityScale;
+    def.continuousMode = body.rules.continuousMode;
     return def;
 }
 

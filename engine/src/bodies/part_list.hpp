@@ -25,6 +25,7 @@ struct MotionRules {
     Real linearDamping = 0;  // 1/s
     Real angularDamping = 0; // 1/s
     Real gravityScale = 1;
+    ContinuousMode continuousMode = ContinuousMode::All;
     friend bool operator==(const MotionRules&, const MotionRules&) = default;
 };
 
@@ -73,6 +74,10 @@ void setMass(PartList& list, const Mass& mass);
 FormerBody formerBody(const PartList& list, std::size_t part);
 /// Its type, flags, filter, user data and rules, as those of a body to be added.
 BodyDef definitionOf(const FormerBody& body);
+/// The rules of a definition.
+inline MotionRules rulesOf(const BodyDef& def) {
+    return {def.linearDamping, def.angularDamping, def.gravityScale, def.continuousMode};
+}
 /// Appends the parts of a body at their place in the frame of the list. Parts that were bodies
 /// before stay what they were; the others become parts of `body`.
 void append(PartList& list, const PartList& added, const Transform& place, const FormerBody& body);

@@ -123,6 +123,9 @@ bool CandidatePairs::search(const Bodies& bodies, const JointLists& joints, Work
     if (bounds_.changed().empty()) {
         return false;
     }
+    if (bodies.leftOut.has(Feature::Collision)) {
+        return true; // there are no pairs
+    }
     followChanged(bodies);
     const std::uint8_t* const isChanged = bounds_.isChanged().data();
     const Octagon* const grown = bounds_.grown().data();

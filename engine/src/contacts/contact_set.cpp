@@ -42,7 +42,11 @@ void ContactSet::updatePairs(Bodies& bodies, const JointLists& joints, const Tol
     if (store_.countStep() && store_.sort()) {
         changed();
     }
-    candidates_.bounds().coverPrediction(bodies, tolerances, dt, team);
+    if (!bodies.leftOut.has(Feature::Collision)) {
+        candidates_.bounds().coverPrediction(bodies, tolerances, dt, team);
+    } else if (store_.size() > 0) {
+        candidates_.bounds().listAll(); // all contacts end
+    }
     refreshPairs(bodies, joints, team);
 }
 

@@ -12,7 +12,7 @@
 #include <optional>
 #include <utility>
 
-#include "continuous/allowed_approach.hpp"
+#include "continuous/pair_rules.hpp"
 #include "continuous/relative_motion.hpp"
 #include "continuous/stop_motion.hpp"
 
@@ -37,7 +37,7 @@ constexpr Real kStopShort = sizeof(Real) == 4 ? Real(1) / 1024 : Real(1) / 65536
 std::optional<Real> stoppingGap(const Bodies& bodies, const Contact& contact, Real gap, Real motion,
                                 const StepSettings& settings, const Tolerances& tolerances) {
     const auto& [bodyA, partA, bodyB, partB] = contact.key;
-    if (contact.passing) {
+    if (contact.passing || !areChecked(bodies, bodyA, bodyB)) {
         return std::nullopt;
     }
     const ConvexShape& shapeA = bodies.convex(bodyA, partA);
@@ -153,7 +153,8 @@ bool ContinuousCollision::markSwift(const Bodies& bodies, bool mayBounce,
             const std::uint32_t body = bodies.awake[k];
             const Extent& extent = bodies.extent[body];
             const Real way = bodies.motion[body].way(extent.rotationReach);
-            if (way > unseen && !(way <= tolerances.slop / 2 && way < extent.coreRadius / 4)) {
+            if (way > unseen && !(way <= tolerances.slop / 2 && way < extent.coreRadius / 4) &&
+                modeOf(bodies, body, body) != ContinuousMode::Never) {
                 swift_[body] = 1;
                 WorkerTeam::mark(anySwift);
             }
@@ -185,6 +186,8 @@ void ContinuousCollision::run(const StepInput& input) {
         if (sensors) {
             noticeSensors(bodies, contactSet.store(), input.settings, tolerances);
         }
+        input.work.continuousPairs = candidates_.size();
+        input.work.continuousStops = stopped_.size();
         finish(bodies, input.dt);
     }
     for (const std::uint32_t body : bodies.awake) {
@@ -220,7 +223,7 @@ bool ContinuousCollision::findCandidates(const Bodies& bodies, const ContactSet&
                           const auto slot = static_cast<std::uint32_t>(i);
                           if (summaries[i].sensor) {
                               WorkerTeam::mark(sensors);
-                          } else if (isSwift(summaries[i]) &&
+                          } else if (isSwift(bodies, summaries[i]) &&
                                      closes(bodies, contactSet, slot, tolerances)) {
                               found.push_back(slot);
                           }

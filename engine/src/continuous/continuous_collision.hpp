@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "continuous/pair_rules.hpp"
+
 namespace kodo {
 inline namespace KODO_PRECISION {
 
@@ -56,8 +58,9 @@ private:
                    WorkerTeam& team);
     bool findCandidates(const Bodies& bodies, const ContactSet& contactSet,
                         const Tolerances& tolerances, WorkerTeam& team);
-    bool isSwift(const ContactSummary& summary) const {
-        return (swift_[summary.bodyA] | swift_[summary.bodyB]) != 0;
+    bool isSwift(const Bodies& bodies, const ContactSummary& summary) const {
+        return (swift_[summary.bodyA] | swift_[summary.bodyB]) != 0 &&
+               areChecked(bodies, summary.bodyA, summary.bodyB);
     }
     Vec2& pushOf(std::uint32_t body);
     void findTime(const Step& step, std::uint32_t contact, Real from);

@@ -75,7 +75,8 @@ void ContinuousCollision::findPushes(const Step& step) {
         const bool isA = step.bodies.locked(bodyA);
         const auto [floor, body] = isA ? std::pair(bodyA, bodyB) : std::pair(bodyB, bodyA);
         if (!summary.mayTouch || summary.bounces || isA == step.bodies.locked(bodyB) ||
-            !contact.responds() || !step.bodies.isMovingKinematic(floor)) {
+            !contact.responds() || !step.bodies.isMovingKinematic(floor) ||
+            !areChecked(step.bodies, bodyA, bodyB)) {
             return;
         }
         const ManifoldPoint& point = contact.manifold.points[0];

@@ -47,7 +47,7 @@ void ContinuousCollision::cutShort(const Step& step, std::uint32_t body, Real ti
     pulling_.push_back(body);
     step.contactSet.store().lists().forEach(body, [&](std::uint32_t i) {
         const ContactSummary& summary = step.summaries[i];
-        if (summary.sensor || !isSwift(summary)) {
+        if (summary.sensor || !isSwift(step.bodies, summary)) {
             return;
         }
         const std::uint32_t other = summary.bodyA == body ? summary.bodyB : summary.bodyA;

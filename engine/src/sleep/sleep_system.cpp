@@ -10,6 +10,8 @@
 #include <iterator>
 #include <utility>
 
+#include "continuous/pair_rules.hpp"
+
 namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
@@ -250,7 +252,7 @@ bool SleepSystem::wakeRunOver(Bodies& bodies, ContactSet& contacts, const Tolera
         const auto& [bodyA, partA, bodyB, partB] = contact.key;
         const std::uint32_t wall = bodies.asleep(bodyA) ? bodyB : bodyA;
         if (bodies.asleep(bodyA) == bodies.asleep(bodyB) || !bodies.locked(wall) ||
-            contact.sensor || contact.passing) {
+            contact.sensor || contact.passing || !areChecked(bodies, bodyA, bodyB)) {
             continue;
         }
         const Real way = bodies.motion[wall].way(bodies.extent[wall].rotationReach);

@@ -276,17 +276,22 @@ void BodyRef::setPart(std::size_t index, const Part& part) {
 
 void BodyRef::setLinearDamping(Real perSecond) {
     const std::uint32_t body = changing("BodyRef::setLinearDamping");
-    world_->setRules(body, {perSecond, angularDamping(), gravityScale()});
+    world_->setRules(body, {perSecond, angularDamping(), gravityScale(), continuousMode()});
 }
 
 void BodyRef::setAngularDamping(Real perSecond) {
     const std::uint32_t body = changing("BodyRef::setAngularDamping");
-    world_->setRules(body, {linearDamping(), perSecond, gravityScale()});
+    world_->setRules(body, {linearDamping(), perSecond, gravityScale(), continuousMode()});
 }
 
 void BodyRef::setGravityScale(Real scale) {
     const std::uint32_t body = changing("BodyRef::setGravityScale");
-    world_->setRules(body, {linearDamping(), angularDamping(), scale});
+    world_->setRules(body, {linearDamping(), angularDamping(), scale, continuousMode()});
+}
+
+void BodyRef::setContinuousMode(ContinuousMode mode) {
+    const std::uint32_t body = changing("BodyRef::setContinuousMode");
+    world_->setRules(body, {linearDamping(), angularDamping(), gravityScale(), mode});
 }
 
 void BodyRef::setMass(const MassDef& mass) {
@@ -328,7 +333,8 @@ void BodyRef::copyFrom(const BodyView& other) {
     const Real spin = other.angularVelocity();
     const Flags required = other.required();
     const std::int32_t group = other.group();
-    const MotionRules rules{other.linearDamping(), other.angularDamping(), other.gravityScale()};
+    const MotionRules rules{other.linearDamping(), other.angularDamping(), other.gravityScale(),
+                            other.continuousMode()};
     setGeometry(bodies, body, makeGeometry(std::move(list)));
     bodies.pose[body] = pose;
     world_->bodyChanged(body);

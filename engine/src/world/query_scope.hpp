@@ -86,18 +86,33 @@ public:
     template <typename Entry, typename Visit>
     void forParts(Entry entry, Visit visit) const {
         const auto accepted = ifAsked(visit);
-        std::for_each(parts_.planes().begin(), parts_.planes().end(), accepted);
-        parts_.trees().search(entry, accepted);
+        if (!visitAll(accepted)) {
+            std::for_each(parts_.planes().begin(), parts_.planes().end(), accepted);
+            parts_.trees().search(entry, accepted);
+        }
     }
     /// The same for parts whose bounds overlap the box.
     template <typename Visit>
     void forPartsIn(const Aabb& box, Visit visit) const {
         const auto accepted = ifAsked(visit);
-        std::for_each(parts_.planes().begin(), parts_.planes().end(), accepted);
-        parts_.trees().overlaps(box, accepted);
+        if (!visitAll(accepted)) {
+            std::for_each(parts_.planes().begin(), parts_.planes().end(), accepted);
+            parts_.trees().overlaps(box, accepted);
+        }
     }
 
 private:
+    /// False, without a visit, if there are trees. Steps without Feature::Collision keep none.
+    template <typename Visit>
+    bool visitAll(const Visit& visit) const {
+        const bool all = bodies_.leftOut.has(Feature::Collision);
+        for (std::uint32_t i = 0; all && i < parts_.bounds().size(); ++i) {
+            if (parts_.bounds().isUsed(i)) {
+                visit(i);
+            }
+        }
+        return all;
+    }
     template <typename Visit>
     auto ifAsked(Visit& visit) const {
         return [&](std::uint32_t i) {

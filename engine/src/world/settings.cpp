@@ -18,7 +18,6 @@ constexpr Real kMaxDamping = Real(1e6);
 constexpr Real kMaxPush = Real(1e7);
 constexpr Real kLeastGap = Real(1e-4);
 constexpr Real kMostGap = Real(1e4);
-constexpr unsigned kAllFeatures = 127;
 
 std::optional<Problem> checkCount(const char* field, int value, int low, int high) {
     if (value < low || value > high) {
@@ -73,12 +72,9 @@ const PropagationSettings& StepSettings::propagation() const {
 }
 
 std::optional<Problem> check(const StepSettings& settings) {
-    const bool areFeatures = (settings.leaveOut.bits & ~kAllFeatures) == 0;
     return firstOf(
         {std::visit([](const auto& solver) { return checkSolver(solver); }, settings.solver),
-         checkCount("settings.sleepSteps", settings.sleepSteps, 1, 1000000),
-         areFeatures ? std::nullopt
-                     : std::optional(Problem{"settings.leaveOut", "must be a set of Feature"})});
+         checkCount("settings.sleepSteps", settings.sleepSteps, 1, 1000000)});
 }
 
 void visitState(StateStream& stream, StepSettings& settings) {

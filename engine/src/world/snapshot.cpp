@@ -11,7 +11,7 @@ inline namespace KODO_PRECISION {
 namespace {
 
 constexpr std::uint32_t kMagic = 0x6f646f4b; // "Kodo"
-constexpr std::uint32_t kFormat = 25;        // increases with every change of visitState()
+constexpr std::uint32_t kFormat = 26;        // increases with every change of visitState()
 constexpr std::size_t kChecksumSize = sizeof(std::uint64_t);
 constexpr std::size_t kBytesPerBody = 256; // as of most Worlds; more bytes cost a copy of them
 constexpr std::size_t kBytesPerContact = 384;
@@ -49,7 +49,7 @@ void WorldImpl::visitState(StateStream& stream, OwnFields ownFields) {
     kodo::visitState(stream, settings);
     kodo::visitState(stream, tolerances);
     if (stream.reads()) {
-        bodies.turns = settings.has(Feature::Rotation);
+        bodies.leftOut = settings.leaveOut;
     }
     kodo::visitState(stream, bodies, lastGeometry);
     stream.list(fields, [&](FieldEntry& entry) {
@@ -61,8 +61,10 @@ void WorldImpl::visitState(StateStream& stream, OwnFields ownFields) {
     joints.visitState(stream, bodies, tolerances.unit());
     contacts.visitState(stream, bodies);
     sleep.visitState(stream, bodies);
-    stream.as<std::uint64_t>(work.contacts);
-    stream.as<std::uint64_t>(work.refinedBodies);
+    for (std::size_t* const each :
+         {&work.contacts, &work.refinedBodies, &work.continuousPairs, &work.continuousStops}) {
+        stream.as<std::uint64_t>(*each);
+    }
     stream(work.mostParts, stepCount, broken, frozen);
     region.visitState(stream, bodies);
     if (!stream.reads()) {

@@ -33,8 +33,8 @@ bool sameParts(const PartList& a, const PartList& b) {
 // With fewer awake bodies, a step ends before a helper could start.
 constexpr std::size_t kMinBodiesForHelp = 256;
 // Features that may keep bodies at rest: a change wakes all islands.
-constexpr Features kSleepFeatures =
-    Feature::Friction | Feature::RollingResistance | Feature::Sleep | Feature::Rotation;
+constexpr Features kSleepFeatures = Feature::Friction | Feature::RollingResistance |
+                                    Feature::Sleep | Feature::Rotation | Feature::Collision;
 
 void requireValid(const FieldEntry& entry, Real lengthUnit) {
     if (!entry.field) {
@@ -82,7 +82,7 @@ WorldImpl::WorldImpl(const WorldDef& def) : tolerances_() {
     bodies_.stamp = stamp;
     joints_.setStamp(stamp);
     settings_ = def.settings;
-    bodies_.turns = settings_.has(Feature::Rotation);
+    bodies_.leftOut = settings_.leaveOut;
     tolerances_ = Tolerances::forUnit(def.lengthUnit);
     if (def.gravity != Vec2{}) {
         addField({std::make_shared<Gravity>(def.gravity)});
@@ -157,7 +157,7 @@ void WorldImpl::setRegion(std::optional<Aabb> region) {
         return;
     }
     region_.setBox(region);
-    const bool isMove = before && region;
+    const bool isMove = before && region && settings_.has(Feature::Collision);
     std::vector<std::uint32_t> moved =
         isMove ? region_.mayCross(*before, bodies_, contacts_.candidates())
                : allIndices(bodies_.size());
@@ -361,11 +361,13 @@ void WorldImpl::applyToAll(Vec2 force, Real torque, CollisionFilter which) {
 
 void WorldImpl::setSettings(const StepSettings& settings) {
     refuse(check(settings));
-    const int changed = settings_.leaveOut.bits ^ settings.leaveOut.bits;
-    if ((changed & kSleepFeatures.bits) != 0) {
+    Features changed;
+    changed.bits = settings_.leaveOut.bits ^ settings.leaveOut.bits;
+    if ((changed.bits & kSleepFeatures.bits) != 0) {
         sleep_.wakeAll(bodies_, contacts_);
     }
     settings_ = settings;
+    bodies_.leftOut = settings.leaveOut;
     roomFor_ = 0; // other stages may run
     if (!settings.has(Feature::Friction)) {
         contacts_.lanes().discardLanes();
@@ -373,9 +375,13 @@ void WorldImpl::setSettings(const StepSettings& settings) {
             contacts_.store().lane(slot).friction() = 0; // it would warm start the next step
         }
     }
-    if (settings.has(Feature::Rotation) != bodies_.turns) {
-        setTurns(bodies_, settings.has(Feature::Rotation));
+    if (changed.has(Feature::Rotation)) {
+        rotationChanged(bodies_);
         contacts_.bodiesChanged(); // bodies that can only rotate become immovable or movable
+    }
+    // Steps without it leave the bounds as they are.
+    for (std::uint32_t i = 0; changed.has(Feature::Collision) && i < bodies_.size(); ++i) {
+        contacts_.bodyChanged(bodies_, tolerances_, i);
     }
 }
 

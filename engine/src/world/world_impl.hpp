@@ -72,14 +72,14 @@ public:
     const Tolerances& tolerances() const { return tolerances_; }
 
     StepStats stats() const {
-        return {bodies_.awake.size(),
-                work_.contacts,
-                joints_.awakeCount(),
-                work_.mostParts,
-                work_.refinedBodies,
-                contacts_.candidates().work(),
-                changeVisits_ + contacts_.candidates().bounds().moves() +
-                    region_.parked().visits()};
+        StepStats all = work_;
+        all.bodies = bodies_.awake.size();
+        all.joints = joints_.awakeCount();
+        all.pairs = contacts_.store().size();
+        all.pairWork = contacts_.candidates().work();
+        all.changeVisits =
+            changeVisits_ + contacts_.candidates().bounds().moves() + region_.parked().visits();
+        return all;
     }
 
     std::uint64_t stateHash() const;

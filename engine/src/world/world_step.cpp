@@ -36,7 +36,7 @@ void WorldStep::run(StageListener* listener) {
     solve();
     countLostLoads(bodies);
     enter(StepStage::Continuous);
-    if (settings.has(Feature::ContinuousCollision)) {
+    if (settings.has(Feature::ContinuousCollision) && settings.has(Feature::Collision)) {
         runContinuous();
     }
     enter(StepStage::Record);
@@ -130,7 +130,9 @@ void WorldStep::finishMoves() {
         freezeUnsoundMotion();
     }
     forAwake(movePoses);
-    contactSet.candidates().coverPoses(bodies, tolerances);
+    if (settings.has(Feature::Collision)) {
+        contactSet.candidates().coverPoses(bodies, tolerances);
+    }
 }
 
 void WorldStep::forAwake(void (*move)(Bodies&, std::span<const std::uint32_t>)) {
