@@ -126,7 +126,7 @@ private:
 
     static void refuse(const StepOptions& options) {
         if (options.profile || options.substeps || !options.set.empty() ||
-            !options.leaveOut.empty() || options.threads != 1) {
+            !options.leaveOut.empty() || options.continuous != "all" || options.threads != 1) {
             throw WrongUse("Box2D 2.4.1 takes passes and position passes, and nothing else");
         }
     }

@@ -216,7 +216,7 @@ private:
 
     static void refuse(const StepOptions& options) {
         if (options.profile || options.passes || options.positionPasses ||
-            !options.leaveOut.empty() || options.threads != 1) {
+            !options.leaveOut.empty() || options.continuous != "all" || options.threads != 1) {
             throw WrongUse(
                 "Box2D 3 takes substeps, contactHertz, jointHertz and bullets, and nothing else");
         }

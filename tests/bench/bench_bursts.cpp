@@ -91,6 +91,18 @@ Scene shards(int size, std::uint64_t seed) {
     return scene;
 }
 
+Scene sparks(int size, std::uint64_t) {
+    constexpr double kRate = 2; // m/s per metre from the middle
+    Scene scene;
+    scene.def = {"sparks", scenes::kDown, {}};
+    for (const Vec2 place : placesAround(size, 0.25)) {
+        scene.def.bodies.push_back(scenes::ball(0.05, place));
+        scene.def.bodies.back().velocity = kRate * place;
+    }
+    scene.error = meanDepth();
+    return scene;
+}
+
 /// The ball has the mass of 250 boxes.
 Scene smash(int size, std::uint64_t) {
     constexpr int kColumns = 20;

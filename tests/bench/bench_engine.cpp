@@ -25,7 +25,12 @@ const std::vector<std::string>& profileNames() {
 
 const std::vector<std::string>& featureNames() {
     static const std::vector<std::string> kNames{"friction", "rolling", "restitution", "continuous",
-                                                 "records",  "sleep",   "rotation"};
+                                                 "records",  "sleep",   "rotation",    "collision"};
+    return kNames;
+}
+
+const std::vector<std::string>& continuousModeNames() {
+    static const std::vector<std::string> kNames{"never", "static", "all"};
     return kNames;
 }
 

@@ -31,6 +31,7 @@ struct StepOptions {
     std::vector<std::string> set{};      // values of Kodo's StepSettings, such as
                                          // "contactHertz=120"; Box2D 3 has three
     std::vector<std::string> leaveOut{}; // features of Kodo, see featureNames()
+    std::string continuous = "all";      // of Kodo, mode of all bodies, see continuousModeNames()
     std::optional<int> passes{};         // velocity iterations of Box2D
     std::optional<int> positionPasses{}; // position iterations of Box2D
     int threads = 1;
@@ -110,6 +111,8 @@ const std::vector<std::string>& engineNames();
 std::vector<std::string> builtEngines();
 const std::vector<std::string>& profileNames();
 const std::vector<std::string>& featureNames();
+/// In the order of ContinuousMode.
+const std::vector<std::string>& continuousModeNames();
 
 std::unique_ptr<Engine> makeEngine(const std::string& name, const scenes::SceneDef& scene,
                                    const StepOptions& options);

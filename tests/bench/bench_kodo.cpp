@@ -48,7 +48,17 @@ static_assert(static_cast<int>(kodo::Feature::Friction) == 1 << 0 &&
               static_cast<int>(kodo::Feature::ContinuousCollision) == 1 << 3 &&
               static_cast<int>(kodo::Feature::Records) == 1 << 4 &&
               static_cast<int>(kodo::Feature::Sleep) == 1 << 5 &&
-              static_cast<int>(kodo::Feature::Rotation) == 1 << 6); // same order as featureNames()
+              static_cast<int>(kodo::Feature::Rotation) == 1 << 6 &&
+              static_cast<int>(kodo::Feature::Collision) == 1 << 7); // same order as featureNames()
+
+kodo::ContinuousMode modeOf(const std::string& name) {
+    const std::vector<std::string>& names = continuousModeNames();
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) {
+        throw WrongUse("Kodo has no continuous mode '" + name + "'");
+    }
+    return static_cast<kodo::ContinuousMode>(found - names.begin());
+}
 
 /// A single value of the settings. set() returns why it cannot be set, or "".
 struct Number {
@@ -216,7 +226,14 @@ public:
     KodoEngine(const scenes::SceneDef& scene, const StepOptions& options)
         : scene_(scenes::inKodo(scene, settingsOf(options))),
           pool_(options.threads - 1),
-          timesStages_(options.stages) {}
+          timesStages_(options.stages),
+          mode_(modeOf(options.continuous)) {
+        if (mode_ != kodo::ContinuousMode::All) { // a setter wakes the body
+            for (const kodo::BodyId id : scene_.ids) {
+                scene_.world[id].setContinuousMode(mode_);
+            }
+        }
+    }
 
     void step(double dt) override {
         scene_.world.step(static_cast<kodo::Real>(dt),
@@ -232,7 +249,9 @@ public:
     }
 
     void add(const scenes::BodyDef& body) override {
-        scene_.ids.push_back(scene_.world.add(scenes::toKodo(body)));
+        kodo::BodyDef def = scenes::toKodo(body);
+        def.continuousMode = mode_;
+        scene_.ids.push_back(scene_.world.add(def));
     }
     void remove(std::size_t body) override { scene_.world.remove(scene_.ids[body]); }
 
@@ -321,6 +340,7 @@ private:
     kodo::ThreadPool pool_;
     StageClock stages_;
     bool timesStages_ = false;
+    kodo::ContinuousMode mode_;
 };
 
 } // namespace

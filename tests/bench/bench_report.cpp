@@ -50,6 +50,7 @@ void addSettings(JsonObject& json, const Result& result) {
     json.add("positionPasses", step.positionPasses);
     json.add("set", fmt::format("{}", fmt::join(step.set, ",")));
     json.add("leaveOut", fmt::format("{}", fmt::join(step.leaveOut, ",")));
+    json.add("continuous", step.continuous);
     json.add("bodies", result.bodies);
     json.add("locked", result.locked);
     json.add("steps", result.steps);

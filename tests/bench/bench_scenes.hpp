@@ -124,6 +124,7 @@ Scene cars(int size, std::uint64_t seed);
 // bench_bursts.cpp
 Scene ring(int size, std::uint64_t seed);
 Scene shards(int size, std::uint64_t seed);
+Scene sparks(int size, std::uint64_t seed);
 Scene smash(int size, std::uint64_t seed);
 Scene crowdPoint(int size, std::uint64_t seed);
 // bench_worst.cpp

@@ -336,6 +336,9 @@ TEST(Options, AreRefusedIfTheEngineDoesNotSupportThem) {
     options.step.leaveOut = {"gravity"};
     EXPECT_THROW(run(options), WrongUse);
     options.step.leaveOut = {};
+    options.step.continuous = "sometimes";
+    EXPECT_THROW(run(options), WrongUse);
+    options.step.continuous = "all";
     for (const char* wrong :
          {"contactHertz", "contactHertz=", "contactHertz=12x", "mass=3", "contactPasses=1e300",
           "contactPasses=nan", "contactPasses=2.5", "contactHertz=inf", "contactHertz=-1"}) {

@@ -47,6 +47,8 @@ void addOptions(CLI::App& app, Options& options) {
     app.add_option("--leave-out", step.leaveOut, "Features that Kodo omits, separated by commas")
         ->delimiter(',')
         ->check(CLI::IsMember(featureNames()));
+    app.add_option("--continuous", step.continuous, "ContinuousMode of all bodies of Kodo (all)")
+        ->check(CLI::IsMember(continuousModeNames()));
     app.add_option("--threads", step.threads, "Number of threads; 1 unless given")
         ->check(CLI::Range(1, 64));
     app.add_option("--steps", run.steps, "Number of steps of 1/60 s, instead of the scene's")

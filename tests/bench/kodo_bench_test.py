@@ -30,7 +30,7 @@ def check(holds, what):
 SCENES = (
     "pyramid circles debris tumbler breakout stack massratio rain joints spinner asleep shots tiles rays churn empty"
     " columns pushed removals particles events contacts heavypair slab plank pairs balls ragdolls"
-    " chains shortchains bridge bridgecars hub arm crane wheel cars ring shards smash crowdpoint"
+    " chains shortchains bridge bridgecars hub arm crane wheel cars ring shards sparks smash crowdpoint"
 ).split()
 code, text = bench("--list")
 check(code == 0, f"--list ends with {code}")
