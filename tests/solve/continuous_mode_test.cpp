@@ -184,6 +184,30 @@ TEST(ContinuousModes, AllIsTheDefaultAndChangesNoBit) {
     }
 }
 
+// With Never on all bodies, a World moves as without continuous collision.
+TEST(ContinuousModes, NeverOnAllBodiesIsTheSameAsLeavingTheFeatureOut) {
+    for (const Solver solver : kSolvers) {
+        World never = swarm(solver, ContinuousMode::Never);
+        World out = swarm(solver, ContinuousMode::All);
+        StepSettings settings = out.settings();
+        settings.leaveOut |= Feature::ContinuousCollision;
+        out.setSettings(settings);
+        const std::vector<BodyId> ids = never.bodies();
+        const std::vector<BodyId> others = out.bodies();
+        std::size_t touches = 0;
+        for (int step = 0; step < 60; ++step) {
+            never.step(support::kDt);
+            out.step(support::kDt);
+            touches += never.collisions().size();
+            for (std::size_t i = 0; i < ids.size(); ++i) {
+                ASSERT_EQ(never[ids[i]].position(), out[others[i]].position()) << "step " << step;
+                ASSERT_EQ(never[ids[i]].velocity(), out[others[i]].velocity()) << "step " << step;
+            }
+        }
+        EXPECT_GT(touches, 100u);
+    }
+}
+
 // With Static, walls hold all of a swarm, whatever passes through whatever.
 TEST(ContinuousModes, StaticKeepsASwarmWithinItsWalls) {
     for (const Solver solver : kSolvers) {

@@ -84,6 +84,8 @@ const GuardedCall kChanges[] = {
     {"BodyRef::setRequired", [](GuardedScene& s) { s.world[s.box].setRequired(1); }},
     {"BodyRef::setUserData", [](GuardedScene& s) { s.world[s.box].setUserData(1); }},
     {"BodyRef::setGroup", [](GuardedScene& s) { s.world[s.box].setGroup(1); }},
+    {"BodyRef::setContinuousMode",
+     [](GuardedScene& s) { s.world[s.box].setContinuousMode(ContinuousMode::Never); }},
     {"BodyRef::setPart",
      [](GuardedScene& s) { s.world[s.box].setPart(0, s.world[s.box].part(0)); }},
     {"BodyRef::setMaterial", [](GuardedScene& s) { s.world[s.box].setMaterial({}); }},

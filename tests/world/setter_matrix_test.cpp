@@ -153,6 +153,8 @@ const std::vector<NamedChange>& propertyChanges() {
          }},
         {"setUserData", [](World& w, BodyId, BodyId b) { w[b].setUserData(7); }},
         {"setGroup", [](World& w, BodyId, BodyId b) { w[b].setGroup(-1); }},
+        {"setContinuousMode",
+         [](World& w, BodyId, BodyId b) { w[b].setContinuousMode(ContinuousMode::Never); }},
         {"setPart",
          [](World& w, BodyId, BodyId b) {
              Part part = w[b].part(0);

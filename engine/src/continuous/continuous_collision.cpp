@@ -12,7 +12,7 @@
 #include <optional>
 #include <utility>
 
-#include "continuous/pair_rules.hpp"
+#include "continuous/allowed_approach.hpp"
 #include "continuous/relative_motion.hpp"
 #include "continuous/stop_motion.hpp"
 

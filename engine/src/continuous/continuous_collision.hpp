@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "bodies/bodies.hpp"
+#include "bodies/continuous_mode.hpp"
 #include "collide/time_of_impact.hpp"
 #include "joints/step_input.hpp"
 
 #include <span>
 #include <vector>
-
-#include "continuous/pair_rules.hpp"
 
 namespace kodo {
 inline namespace KODO_PRECISION {

@@ -6,8 +6,8 @@
 
 #include <cmath>
 
+#include "continuous/allowed_approach.hpp"
 #include "continuous/continuous_collision.hpp"
-#include "continuous/pair_rules.hpp"
 
 namespace kodo {
 inline namespace KODO_PRECISION {

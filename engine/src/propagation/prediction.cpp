@@ -3,6 +3,7 @@
 
 #include <kodo/geometry.hpp>
 
+#include "bodies/continuous_mode.hpp"
 #include "collide/one_sided.hpp"
 #include "contacts/contact_update.hpp"
 
@@ -145,8 +146,9 @@ std::array<Real, 2> predictContact(Contact& contact, const ContactLane& lane, co
                                    const Prediction& prediction) {
     Way way(contact, lane, bodies, prediction);
     const bool hardlyMoves = way.motion() <= prediction.tolerances.margin / 2 || way.leaves();
-    const bool outruns = way.ofLine() || (prediction.swept && way.outruns());
-    if (prediction.swept && !prediction.fresh && outruns && way.outran()) {
+    const bool swept = prediction.swept && areChecked(bodies, contact.key.bodyA, contact.key.bodyB);
+    const bool outruns = way.ofLine() || (swept && way.outruns());
+    if (swept && !prediction.fresh && outruns && way.outran()) {
         way.clear();
     } else if (!hardlyMoves && !outruns) {
         way.findThere();

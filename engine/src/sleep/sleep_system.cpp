@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sleep/sleep_system.hpp"
 
+#include "bodies/continuous_mode.hpp"
 #include "collide/time_of_impact.hpp"
 #include "contacts/contact_update.hpp"
 
@@ -9,8 +10,6 @@
 #include <functional>
 #include <iterator>
 #include <utility>
-
-#include "continuous/pair_rules.hpp"
 
 namespace kodo {
 inline namespace KODO_PRECISION {
