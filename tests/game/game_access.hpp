@@ -22,7 +22,8 @@ struct GameTestAccess {
     static kodo::World& world(Game& game) { return game.state_.world; }
     static std::vector<Weld>& welds(Game& game) { return game.state_.paddle.welds; }
     static void setMeter(Game& game, kodo::Real meter) { game.state_.paddle.field.meter = meter; }
-    static void countHit(Game& game) { ++game.state_.counts.hits; }     // as by a serve
+    static void countHit(Game& game) { ++game.state_.counts.hits; }             // as by a serve
+    static void beginBlow(Game& game) { game.state_.counts.hit(game.ticks()); } // by a filled ball
     static void idle(Game& game) { apart::watchProgress(game.state_); } // one tick without damage
     static void progress(Game& game) { game.state_.clock.progress(); } // as after damage to a block
     static void letGo(Game& game, std::size_t index) {

@@ -58,7 +58,7 @@ strikes = "w"
 std::uint32_t waysAfter(Vec2 from, Vec2 velocity) {
     Game game(levelFrom(towers()), 1);
     playOn(game, 60);
-    GameTestAccess::countHit(game);
+    GameTestAccess::beginBlow(game);
     GameTestAccess::shoot(game, from, velocity);
     WayWatch watch;
     EXPECT_EQ(watch.ways(game.level()), 0u) << "nothing has fallen";
@@ -89,6 +89,7 @@ TEST(WayWatch, AFallThatBeginsWithoutABallHasNoWay) {
         watch.update(game);
     };
     game.tick({.launch = true});
+    GameTestAccess::beginBlow(game);
     kodo::BodyRef ball = GameTestAccess::world(game)[game.balls()[0].body];
     ball.setPosition({0, 10});
     ball.setVelocity({16, 0});
@@ -102,6 +103,21 @@ TEST(WayWatch, AFallThatBeginsWithoutABallHasNoWay) {
     for (std::uint32_t i = 0; i <= kFailTicks && game.collapse().largest == 0; ++i) {
         GameTestAccess::shoot(game, {0, 4}, {0, 12});
         play();
+    }
+    ASSERT_GT(game.collapse().largest, 0);
+    EXPECT_EQ(watch.ways(game.level()), 0u);
+}
+
+// Regression: the panel lit a way while the served ball was hollow.
+TEST(WayWatch, AFallUnderAHollowBallHasNoWay) {
+    Game game(levelFrom(towers()), 1);
+    playOn(game, 60);
+    WayWatch watch;
+    GameTestAccess::countHit(game); // a serve, which begins no blow
+    GameTestAccess::shoot(game, {0, 10}, {16, 0});
+    for (int i = 0; i < 120; ++i) {
+        game.tick({});
+        watch.update(game);
     }
     ASSERT_GT(game.collapse().largest, 0);
     EXPECT_EQ(watch.ways(game.level()), 0u);

@@ -19,6 +19,7 @@ void WayWatch::update(const Game& game) {
     const Collapse& collapse = game.collapse();
     if (blocks_ == 0 && collapse.blocks > 0) {
         start_ = now_;
+        start_.torn = now_.torn || !game.counts().blow;
     }
     blocks_ = collapse.blocks;
     if (collapse.largest > most_ && !game.counts().isDown()) {

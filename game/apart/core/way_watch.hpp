@@ -26,7 +26,7 @@ private:
     struct Blow {
         char struck = 0;   // letter of the block that was struck last; 0: none
         bool bank = false; // a wall or an obstruction was touched before the first block
-        bool torn = false; // no ball: a mount was torn, or failed
+        bool torn = false; // no blow: a mount was torn, or failed, or the ball was hollow
     };
     void follow(const Struck& struck);
 
