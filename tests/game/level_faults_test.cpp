@@ -54,6 +54,14 @@ TEST(LevelFile, NamesEachBadRowOfItsGrid) {
               Faults{"4: legend must be tables [legend.X]"});
 }
 
+TEST(LevelFile, WithoutAnyBlockNamesBothWaysToGiveOne) {
+    const Faults faults = faultsOf(kTitle + kLegend);
+    ASSERT_EQ(faults.size(), 1u);
+    EXPECT_NE(faults[0].find("the level has no block: tables [[block]] or "), std::string::npos)
+        << faults[0];
+    EXPECT_NE(faults[0].find("grid = '''...'''"), std::string::npos) << faults[0];
+}
+
 TEST(LevelFile, NamesEachFaultOfItsBuilding) {
     EXPECT_EQ(faultsOf(kTitle + kLegend + kSound + jointTo("n1") + jointTo("n2") + jointTo("n3") +
                        "count = 4\n" + jointTo("n1")),

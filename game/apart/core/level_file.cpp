@@ -109,8 +109,7 @@ private:
 
     void readGrid(const toml::table& root) {
         const toml::node* node = root.get("grid");
-        const auto* grid = node == nullptr ? nullptr : node->as_string();
-        if (grid != nullptr) {
+        if (const auto* grid = root["grid"].as_string()) {
             return readRows(*grid);
         }
         gridRead_ = node == nullptr && root.contains("block"); // a level of free blocks alone
@@ -118,7 +117,8 @@ private:
             keys_.fail(TomlKeys::lineOf(*node), "grid must be a text '''...'''");
         } else if (!gridRead_ && !keys_.isMisspelled(root, "grid") &&
                    !keys_.isMisspelled(root, "block")) {
-            keys_.fail(TomlKeys::lineOf(root), "the text grid = '''...''' is missing");
+            keys_.fail(TomlKeys::lineOf(root),
+                       "the level has no block: tables [[block]] or grid = '''...''' give some");
         }
     }
 
