@@ -74,6 +74,15 @@ expect 2 'pipe: is a pipe, a device or a socket, not a file' "$program" verify p
 expect 2 'pipe: is a pipe, a device or a socket, not a file' \
     "$program" bot --ticks 10 --record pipe
 
+# A level of a file: its replay names it, and needs the file.
+sed 's/^title = .*/title = "Mine"/; s/^lives = .*/lives = 2/' "$replays/levels/patterns.toml" >alpha.toml
+expect 0 '^alpha, seed 1: ' "$program" bot --level alpha.toml --ticks 300 --record alpha.replay
+expect 2 'there is no level alpha' "$program" verify alpha.replay
+expect 0 'All 5 hashes agree' "$program" verify alpha.replay --level alpha.toml
+expect 0 '^alpha, seed 1: ' "$program" replay alpha.replay --level alpha.toml
+expect 0 '^[0-9]+ struck ' "$program" trace alpha.replay --level alpha.toml
+expect 2 'nosuch.toml: ' "$program" verify alpha.replay --level nosuch.toml
+
 # A generated level: its name in the replay suffices to play it again.
 expect 0 "^endless:7:3, seed 5: " \
     "$program" bot --level endless:7:3 --seed 5 --ticks 900 --record endless.replay

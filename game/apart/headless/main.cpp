@@ -40,6 +40,9 @@ void print(const Report& report, bool json) {
 constexpr const char* kLinkHelp =
     "Print a link to the game, to be put behind the address of a page of the game";
 
+constexpr const char* kLevelHelp =
+    "File of its level; unless given, levels/NAME.toml beside the replay or the game's level";
+
 struct BotOptions {
     std::string level;
     std::uint32_t seed = 1;
@@ -119,12 +122,11 @@ bool meets(const std::string& file, const Playback& playback) {
 
 /// Plays one replay of a file and prints its report; adds it to `daily`. False if an expectation is
 /// unmet or a hash differs.
-bool playReplay(const std::string& file, const Replay& replay, bool json, DailyResult& daily) {
-    Playback playback = openReplay(file, replay);
+bool playReplay(const std::string& file, Playback playback, bool json, DailyResult& daily) {
     const std::optional<std::uint32_t> ended = playToEnd(playback);
     const bool met = meets(file, playback);
     daily.score += playback.game().score();
-    daily.ticks += replay.end;
+    daily.ticks += playback.replay().end;
     ++daily.levels;
     Report report = reportOf(playback.game());
     report.ended = ended;
@@ -138,12 +140,13 @@ bool playReplay(const std::string& file, const Replay& replay, bool json, DailyR
     return agrees(file, playback) && met;
 }
 
-int playRun(const std::string& file, bool json, bool link) {
+int playRun(const PlayCommand& options) {
+    const auto& [file, level, json, link] = options;
     bool good = true;
     const ReplayRun run = readRun(file);
     DailyResult daily{.day = dailyOf(run).value_or(0)};
     for (const Replay& replay : run) {
-        good = playReplay(file, replay, json, daily) && good;
+        good = playReplay(file, openReplay(file, replay, level), json, daily) && good;
     }
     if (daily.day > 0 && !json) {
         fmt::print("{}\n", dailyLine(daily));
@@ -155,10 +158,9 @@ int playRun(const std::string& file, bool json, bool link) {
 }
 
 /// False if the game diverges or an expectation is unmet.
-bool verifyReplay(const std::string& file, const Replay& replay, bool json) {
-    Playback playback = openReplay(file, replay);
-    const std::size_t hashes = replay.hashes.size();
-    const std::size_t expected = replay.expectations.size();
+bool verifyReplay(const std::string& file, Playback playback, bool json) {
+    const std::size_t hashes = playback.replay().hashes.size();
+    const std::size_t expected = playback.replay().expectations.size();
     if (hashes + expected == 0) {
         throw Refusal{file + ": there is no hash line and no expectation to verify"};
     }
@@ -184,11 +186,11 @@ bool verifyReplay(const std::string& file, const Replay& replay, bool json) {
     return met && agreed;
 }
 
-int verify(const std::string& file, bool json) {
-    const ReplayRun run = readRun(file);
+int verify(const PlayCommand& options) {
     bool agreed = true;
-    for (const Replay& replay : run) {
-        agreed = verifyReplay(file, replay, json) && agreed;
+    for (const Replay& replay : readRun(options.file)) {
+        Playback playback = openReplay(options.file, replay, options.level);
+        agreed = verifyReplay(options.file, std::move(playback), options.json) && agreed;
     }
     return agreed ? 0 : 1;
 }
@@ -215,6 +217,7 @@ struct Checks {
 CLI::App* addTrace(CLI::App& app, TraceCommand& trace) {
     CLI::App* command = app.add_subcommand("trace", "Print what happens in a replay, by tick");
     command->add_option("FILE", trace.file, "The replay")->required();
+    command->add_option("--level", trace.level, kLevelHelp);
     command->add_option("--from", trace.from, "First tick, 0 unless given");
     command->add_option("--to", trace.to, "Last tick, the end unless given");
     command->add_option("--field", trace.fields,
@@ -303,17 +306,17 @@ int run(int argc, char** argv) {
         "Exit code: 0 success, 1 an unmet expectation, a diverging replay or a failed\n"
         "level check, 2 wrong use or a bad file.");
     app.set_version_flag("--version", "aPart " + versionText());
-    bool json = false;
-    std::string file;
+    PlayCommand play;
     BotOptions options;
 
     CLI::App* replayCommand = app.add_subcommand("replay", "Play a replay; report expectations");
     CLI::App* verifyCommand = app.add_subcommand("verify", "Play a replay; judge all its lines");
     for (CLI::App* command : {replayCommand, verifyCommand}) {
-        command->add_option("FILE", file, "The replay, or a link to one")->required();
-        command->add_flag("--json", json, "Print one JSON object");
+        command->add_option("FILE", play.file, "The replay, or a link to one")->required();
+        command->add_option("--level", play.level, kLevelHelp);
+        command->add_flag("--json", play.json, "Print one JSON object");
     }
-    replayCommand->add_flag("--link", options.link, kLinkHelp);
+    replayCommand->add_flag("--link", play.link, kLinkHelp);
     CLI::App* botCommand = app.add_subcommand("bot", "Let the bot play a level until it ends");
     botCommand->add_option("--level", options.level, "Name of the level; the first unless given")
         ->check(wrongName, "");
@@ -350,10 +353,10 @@ int run(int argc, char** argv) {
         return 2;
     }
     if (replayCommand->parsed()) {
-        return playRun(file, json, options.link);
+        return playRun(play);
     }
     if (verifyCommand->parsed()) {
-        return verify(file, json);
+        return verify(play);
     }
     if (traceCommand->parsed()) {
         return runTrace(checks.trace);

@@ -170,8 +170,9 @@ ReplayRun readRun(const std::string& file) {
     return valueOrRefuse(readRunFile(file));
 }
 
-Playback openReplay(const std::string& file, const Replay& replay) {
-    auto level = std::make_shared<const Level>(valueOrRefuse(loadLevelOf(file, replay.level)));
+Playback openReplay(const std::string& file, const Replay& replay, const std::string& own) {
+    auto level = std::make_shared<const Level>(
+        valueOrRefuse(own.empty() ? loadLevelOf(file, replay.level) : readLevelFile(own)));
     if (const std::optional<std::string> reason = refusal(replay, *level)) {
         throw Refusal{file + ": " + *reason};
     }
@@ -204,7 +205,7 @@ int runTrace(const TraceCommand& command) {
         if (run.size() > 1) {
             fmt::print("level {}\n", replay.level);
         }
-        trace(openReplay(command.file, replay), command, fields);
+        trace(openReplay(command.file, replay, command.level), command, fields);
     }
     return 0;
 }

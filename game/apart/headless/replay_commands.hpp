@@ -12,13 +12,23 @@ namespace apart {
 
 /// The replays of a file. Throws Refusal.
 ReplayRun readRun(const std::string& file);
-/// A replay of a file with its level, ready to be played. Throws Refusal.
-Playback openReplay(const std::string& file, const Replay& replay);
+/// A replay of a file with its level, ready to be played. `level`: the file of the level; empty:
+/// the one of its name, see loadLevelOf(). Throws Refusal.
+Playback openReplay(const std::string& file, const Replay& replay, const std::string& level = "");
 /// Returns the tick at which the game was won or lost.
 std::optional<std::uint32_t> playToEnd(Playback& playback);
 
+/// The commands `replay` and `verify`.
+struct PlayCommand {
+    std::string file;
+    std::string level; // see openReplay()
+    bool json = false;
+    bool link = false;
+};
+
 struct TraceCommand {
     std::string file;
+    std::string level;                 // see openReplay()
     std::uint32_t from = 0;            // ticks
     std::optional<std::uint32_t> to{}; // the end unless given
     std::vector<std::string> fields;   // whose values are printed when they change
