@@ -47,6 +47,24 @@ TEST_F(ShowFile, AReplayOfALevelOfTheGameIsPlayed) {
     EXPECT_EQ(rig.stage.session().game().stateHash(), replay.hashes.back().hash);
 }
 
+// Regression: it was "not among the levels", although --level played it.
+TEST_F(ShowFile, AReplayOfALevelOfThePlayerIsPlayedWhereverItIs) {
+    const fs::path own = folder_ / "own" / "levels";
+    fs::create_directories(own);
+    ASSERT_FALSE(writeTextFile(own / "alpha.toml",
+                               "format = 1\ntitle = \"Mine\"\nidea = \"One block.\"\n"
+                               "grid = '''\n.......b.......\n'''\n"
+                               "[legend.b]\nstuff = \"glass\"\n"));
+    const auto level =
+        std::make_shared<const Level>(std::get<Level>(readLevelFile(own / "alpha.toml")));
+    const Replay replay = recordedGame(level, 3, 60);
+    ASSERT_FALSE(writeTextFile(folder_ / "a.replay", toText(replay)));
+    const std::variant<Show, std::string> show = showOf(folder_ / "a.replay", own);
+    ASSERT_TRUE(std::holds_alternative<Show>(show)) << std::get<std::string>(show);
+    EXPECT_EQ(std::get<Show>(show).level->title, "Mine");
+    EXPECT_TRUE(std::holds_alternative<std::string>(showOf(folder_ / "a.replay", {})));
+}
+
 TEST_F(ShowFile, ADailyRunHasItsDay) {
     constexpr Day kDay = 20261126;
     const auto level = std::make_shared<const Level>(endlessLevel({kDay, 1}));

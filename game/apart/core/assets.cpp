@@ -117,13 +117,18 @@ Read<Level> loadLevel(const std::string& name) {
     return readLevelFile(path);
 }
 
-Read<Level> loadLevelOf(const fs::path& replay, const std::string& name) {
+Read<Level> loadLevelOf(const fs::path& replay, const std::string& name, const fs::path& own) {
     const fs::path file = fs::path("levels") / (name + ".toml");
     std::error_code error;
     for (const fs::path& folder : {replay.parent_path(), replay.parent_path() / ".."}) {
         if (isName(name) && fs::exists(folder / file, error)) {
             return readLevelFile(folder / file);
         }
+    }
+    const fs::path mine = own / file.filename();
+    const bool taken = fs::exists(assetsFolder() / file, error);
+    if (!own.empty() && isName(name) && !taken && fs::exists(mine, error)) {
+        return readLevelFile(mine);
     }
     return loadLevel(name);
 }

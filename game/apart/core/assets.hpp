@@ -24,8 +24,10 @@ std::vector<std::string> levelNames();
 /// A name that parseEndless() accepts is generated instead.
 Read<Level> loadLevel(const std::string& name);
 
-/// The level of a replay. levels/NAME.toml beside the replay has priority over the game's levels.
-Read<Level> loadLevelOf(const std::filesystem::path& replay, const std::string& name);
+/// The level of a replay. levels/NAME.toml beside the replay has priority over the game's levels,
+/// and these over NAME.toml in `own`, the player's folder of levels, if it is given.
+Read<Level> loadLevelOf(const std::filesystem::path& replay, const std::string& name,
+                        const std::filesystem::path& own = {});
 
 /// Reason why no file can have this level name, without its subject; empty: one can. A replay could
 /// not be read with it.

@@ -50,12 +50,6 @@ std::string takeLevel(StageDef& def, const std::string& name) {
     return {};
 }
 
-/// The player's folder of levels; empty if there is none.
-std::filesystem::path ownLevels() {
-    const std::optional<std::filesystem::path> file = profileFile();
-    return file ? file->parent_path() / "levels" : std::filesystem::path();
-}
-
 std::string takeReplay(StageDef& def, const std::string& file) {
     std::variant<Show, std::string> show = showOf(file, ownLevels());
     if (auto* problem = std::get_if<std::string>(&show)) {
@@ -180,6 +174,11 @@ void takeMarks(StageDef& def) {
 }
 
 } // namespace
+
+std::filesystem::path ownLevels() {
+    const std::optional<std::filesystem::path> file = profileFile();
+    return file ? file->parent_path() / "levels" : std::filesystem::path();
+}
 
 std::variant<StageDef, std::string> setUp(const StartOptions& options) {
     StageDef def;

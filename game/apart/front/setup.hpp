@@ -4,6 +4,7 @@
 #include <apart/stage/stage.hpp>
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <variant>
@@ -21,6 +22,9 @@ struct StartOptions {
     bool duel = false;                 // two players, in the first level unless one is named
     bool picture = false;              // the bot plays, and no profile is read
 };
+
+/// The player's folder of levels; empty if there is none.
+std::filesystem::path ownLevels();
 
 /// The stage for these options, or the reason why there is none, as a sentence.
 std::variant<StageDef, std::string> setUp(const StartOptions& options);

@@ -156,7 +156,8 @@ std::string writeFilm(Rerun, const std::string&) {
 
 #endif
 
-std::string filmReplay(const std::string& replay, const std::string& path) {
+std::string filmReplay(const std::string& replay, const std::string& path,
+                       const std::filesystem::path& ownLevels) {
     const Read<ReplayRun> read = readRunFile(replay);
     if (const auto* problem = std::get_if<FileProblem>(&read)) {
         return problem->text() + ".";
@@ -164,7 +165,7 @@ std::string filmReplay(const std::string& replay, const std::string& path) {
     std::optional<Rerun> largest;
     std::int32_t blocks = 0;
     for (const Replay& game : std::get<ReplayRun>(read)) {
-        const Read<Level> level = loadLevelOf(replay, game.level);
+        const Read<Level> level = loadLevelOf(replay, game.level, ownLevels);
         if (const auto* problem = std::get_if<FileProblem>(&level)) {
             return problem->text() + ".";
         }

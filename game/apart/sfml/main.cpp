@@ -182,7 +182,7 @@ int run(const Options& options) {
         return kNoDisplay;
     }
     if (!options.film.empty()) {
-        const std::string problem = filmReplay(options.replay, options.film);
+        const std::string problem = filmReplay(options.replay, options.film, ownLevels());
         if (!problem.empty()) {
             complain(problem);
         }

@@ -47,7 +47,7 @@ std::string levelProblem(const std::string& name, const FileProblem& problem,
 std::variant<Show, std::string> showOf(const std::shared_ptr<const ShowFile>& file,
                                        std::size_t number) {
     const Replay& replay = file->run[number];
-    Read<Level> level = loadLevelOf(file->path, replay.level);
+    Read<Level> level = loadLevelOf(file->path, replay.level, file->ownLevels);
     if (const auto* problem = std::get_if<FileProblem>(&level)) {
         return levelProblem(replay.level, *problem, file->ownLevels);
     }
