@@ -291,6 +291,37 @@ TEST(ShareGame, TheLargestFallOfAReplayIsShownFromBeforeItToAfterIt) {
     EXPECT_FALSE(largestFall(recordedGame(glass, 1), glass));
 }
 
+// Regression: the film began wherever the rerun behind the results was.
+TEST(ShareGame, TheFilmOfTheResultsIsThatOfTheReplay) {
+    std::vector<Rerun> filmed;
+    StageDef def = StageRig::played();
+    def.levels = {std::make_shared<const Level>(std::get<Level>(loadLevel("tower")))};
+    def.sharing.film = [&](const Rerun& fall) {
+        filmed.push_back(fall);
+        return std::string("filmed");
+    };
+    StageRig rig(std::move(def));
+    rig.untilOver();
+    ASSERT_EQ(rig.stage.screen(), Screen::Over);
+    for (int i = 0; i < 2; ++i) {
+        Signals signals;
+        signals.presses = {{false, *keyNamed("G")}};
+        rig.frame(signals);
+        for (int frame = 0; frame < 25; ++frame) {
+            rig.frame();
+        }
+    }
+    ASSERT_EQ(filmed.size(), 2u) << "the collapse that ended the game is shown again";
+    const Game& game = rig.stage.session().game();
+    const std::optional<Fall> fall =
+        largestFall(*rig.stage.session().record(), std::make_shared<const Level>(game.level()));
+    ASSERT_TRUE(fall);
+    for (const Rerun& rerun : filmed) {
+        EXPECT_EQ(rerun.play().game().stateHash(), fall->rerun.play().game().stateHash());
+        EXPECT_EQ(rerun.seconds(), fall->rerun.seconds());
+    }
+}
+
 TEST(ShareGame, ARivalIsTheGhostOfItsLevelAlone) {
     StageDef def = StageRig::playing();
     def.rival = recordedGame(def.levels[0], 5);

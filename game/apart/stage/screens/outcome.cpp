@@ -3,6 +3,7 @@
 #include <apart/stage/screens/outcome.hpp>
 
 #include <algorithm>
+#include <memory>
 
 namespace apart {
 
@@ -12,7 +13,10 @@ bool Outcome::take(const Signals& signals, const Games& games, const Sharing& sh
         return std::count(signals.presses.begin(), signals.presses.end(), press) > 0;
     };
     if (sharing.film && games.end().rerun && pressed("G")) {
-        notes = {sharing.film(*games.end().rerun)};
+        const auto game = games.session().record();
+        const auto level = std::make_shared<const Level>(games.session().game().level());
+        const auto fall = game ? largestFall(*game, level) : std::nullopt;
+        notes = {fall ? sharing.film(fall->rerun) : "Nothing falls in this game."};
         return true;
     }
     const ReplayRun run = games.record();

@@ -28,7 +28,7 @@ struct Outcome {
 
     bool isRead() const { return seconds >= kReading; }
     /// C copies a link to the game; of a daily run its result in a line before it. G writes a film
-    /// of the fall behind it. True if one of them was pressed.
+    /// of its largest fall, from the start of it. True if one of them was pressed.
     bool take(const Signals& signals, const Games& games, const Sharing& sharing);
 };
 
