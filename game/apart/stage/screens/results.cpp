@@ -54,9 +54,9 @@ void paintScoreLines(Canvas& canvas, const ResultsLook& look) {
         line("before", "earlier levels", look.score - run.points.sum());
     }
     const std::uint32_t seconds = run.ticks / kTicksPerSecond;
-    // A fall holds blocks that broke in it too.
+    // A fall holds blocks that broke in it too, which are not among the fallen ones.
     const std::string fall =
-        run.largestFall > 0 ? fmt::format(", {} in one fall", run.largestFall) : "";
+        run.largestFall > 0 ? fmt::format(", {} fell or broke in one fall", run.largestFall) : "";
     canvas.text(fmt::format("{} of {} in {}:{:02}{}", run.cleared,
                             countText(look.game.blocksAtStart(), "block"), seconds / 60,
                             seconds % 60, fall),
