@@ -129,6 +129,12 @@ TEST(LevelMap, ShowsThemeTitleIdeaBestScoresAndProgress) {
     }
     EXPECT_TRUE(canvas.says(lookOf(Theme::Daybreak).title));
     EXPECT_TRUE(canvas.says(lookOf(Theme::Harbour).title));
+    // Medals, and what is cleared, count for all modes; points for one.
+    records.profile().mode = Mode::Assisted;
+    RecordingCanvas assisted;
+    assisted.begin({{-16, 0}, {16, 20}}, {});
+    map.draw(assisted, records, 0);
+    EXPECT_TRUE(assisted.says("1 of 11 cleared, 0 points by assisted rules"));
 }
 
 TEST(LevelMap, NamesTheHonourUnderThePointer) {

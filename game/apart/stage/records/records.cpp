@@ -28,6 +28,14 @@ Best Records::honoursOf(Mode mode, const std::string& key) const {
     return proof == Proof::None || proof == Proof::Missing ? Best{} : profile_.bestOf(mode, key);
 }
 
+bool Records::isCleared(const std::string& key) const {
+    bool cleared = false;
+    for (std::size_t mode = 0; mode < kModeNames.size(); ++mode) {
+        cleared = cleared || honoursOf(static_cast<Mode>(mode), key).cleared;
+    }
+    return cleared;
+}
+
 void Records::checkFirst(Mode mode, const std::string& key) {
     book_.checkFirst({mode, key}, profile_.bestOf(mode, key).score);
 }

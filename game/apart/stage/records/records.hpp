@@ -49,6 +49,8 @@ public:
     /// The honours of a level. None without a score, or if its replay is missing or does not give
     /// it.
     Best honoursOf(Mode mode, const std::string& key) const;
+    /// True if the honours of a mode have it.
+    bool isCleared(const std::string& key) const;
 
     /// Checks a score next, or after all others.
     void checkFirst(Mode mode, const std::string& key);

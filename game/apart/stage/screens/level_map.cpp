@@ -341,10 +341,10 @@ void LevelMap::drawFoot(Canvas& canvas, const Records& records) const {
     int cleared = 0;
     std::int64_t points = 0;
     bool checks = false; // some scores are not checked yet
+    const Mode mode = records.profile().mode;
     for (const auto& level : levels_) {
-        const Mode mode = records.profile().mode;
         const Standing standing = records.standingOf(mode, level->name);
-        cleared += records.honoursOf(mode, level->name).cleared ? 1 : 0;
+        cleared += records.isCleared(level->name) ? 1 : 0; // as for medals: in any mode
         points += standing.proof == Proof::Proved ? standing.score : 0;
         checks = checks || standing.proof == Proof::Waiting;
     }
@@ -360,10 +360,14 @@ void LevelMap::drawFoot(Canvas& canvas, const Records& records) const {
     };
     offer(editPlace(), fingers ? "edit" : "edit (E)");
     offer(newPlace(), fingers ? "new" : "new (N)");
+    const std::string rules =
+        mode == Mode::Standard
+            ? "in all"
+            : fmt::format("by {} rules", kModeNames[static_cast<std::size_t>(mode)]);
     canvas.text(
         fmt::format("{} of {} cleared, {} {}", cleared, levels_.size(),
                     countText(std::min<std::int64_t>(points, 999999999), "point"),
-                    checks ? "so far, more are checked" : "in all"),
+                    checks ? "so far, more are checked" : rules),
         {kAboutLeft, back.lower.y + Real(0.55)},
         {Real(0.46), palette::kQuiet, Typeface::Plain, Align::Left, kAboutRight - kAboutLeft});
 }
