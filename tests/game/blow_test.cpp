@@ -102,7 +102,7 @@ bool isHollowAfter(Mode mode, std::int16_t way) {
 }
 
 TEST(Hollow, IsFilledByAPaddleThatWentItsWayAndByNoTwitch) {
-    for (const Mode mode : {Mode::Standard, Mode::Assisted, Mode::Pure}) {
+    for (const Mode mode : {Mode::Standard, Mode::Assisted}) {
         EXPECT_TRUE(isHollowAfter(mode, 0));
         EXPECT_TRUE(isHollowAfter(mode, 200));
         EXPECT_FALSE(isHollowAfter(mode, 500));

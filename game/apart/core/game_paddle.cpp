@@ -83,7 +83,8 @@ void newServe(GameState& game) {
     const Vec2 place = game.world[game.paddle.body].position() + rideOffset(kind);
     game.paddle.serveHeading = drawServe(game, place);
     ++game.counts.serves;
-    const bool hollow = isBuilding(*game.origin.level) || !game.origin.level->links.empty();
+    const bool hollow = game.origin.mode != Mode::Pure &&
+                        (isBuilding(*game.origin.level) || !game.origin.level->links.empty());
     const BodyId ball = addBall(game.world, place, kind);
     game.world[ball].setType(kodo::BodyType::Kinematic);
     game.balls.push_back({ball, game.paddle.serveHeading, true, hollow, kind});
