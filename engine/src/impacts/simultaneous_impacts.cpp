@@ -14,9 +14,6 @@ namespace {
 constexpr int kMostIterations = 100;
 // Of the fastest approach: the change of a speed in one iteration at which the result is final.
 constexpr Real kFinal = sizeof(Real) == 4 ? Real(1e-6) : Real(1e-12);
-// Where no contact bounces, the contact solver follows, and mends what is left.
-constexpr int kFewIterations = 30;
-constexpr Real kNearlyFinal = Real(0.01);
 // Share of the energy that moves at which a gain is not an error of the iteration.
 constexpr Real kGain = Real(2e-5);
 
@@ -125,6 +122,16 @@ bool SimultaneousImpacts::gainsEnergy() const {
     return gained > kGain * moved;
 }
 
+/// True if all points are of one movable body, as where a rod lands on tiles.
+bool SimultaneousImpacts::pushesOneBody() const {
+    const auto movableOf = [](const Point& point) {
+        return point.a.locked ? point.b.body : point.a.body;
+    };
+    return std::all_of(points_.begin(), points_.end(), [&](const Point& point) {
+        return point.a.locked != point.b.locked && movableOf(point) == movableOf(points_[0]);
+    });
+}
+
 void SimultaneousImpacts::solve(std::span<const Impact> hits, const Tolerances& tolerances) {
     points_.clear();
     for (const Impact& hit : hits) {
@@ -137,14 +144,14 @@ void SimultaneousImpacts::solve(std::span<const Impact> hits, const Tolerances& 
     const bool bounces = std::any_of(hits.begin(), hits.end(), [](const Impact& hit) {
         return hit.contact->material.restitution > 0;
     });
-    const int most = bounces ? kMostIterations : kFewIterations;
-    const Real tolerance = (bounces ? kFinal : kNearlyFinal) * fastest;
-    if (!iterate(tolerance, most)) {
+    if (!bounces && !pushesOneBody()) {
+        iterate(0, 1); // the contact solver follows
+    } else if (!iterate(kFinal * fastest, kMostIterations)) {
         undo();
         iterate(0, 1);
     } else if (gainsEnergy()) {
         undo();
-        iterate(tolerance, most);
+        iterate(kFinal * fastest, kMostIterations);
     }
     for (const Point& point : points_) {
         point.hit->lane.impact(point.index) = point.impact;

@@ -19,7 +19,8 @@ inline namespace KODO_PRECISION {
 /// The velocities after the impact are unique, whatever the order of the contacts. The energy
 /// changes by sum(J (v_n + v_n')) / 2 <= 0, by 0 for e = 1, and grows for e > 1. Friction is
 /// Coulomb's at each point, |J_t| <= mu J, and left out where it would gain energy. Projected
-/// Gauss-Seidel. Without a solution, as between two walls that close, each point is hit once.
+/// Gauss-Seidel. Without a solution, as between two walls that close, each point is hit once. So it
+/// is where no contact bounces and several bodies move: the contact solver follows.
 class SimultaneousImpacts {
 public:
     /// Applies the impulses to the bodies, and adds them to PointImpulse::impact.
@@ -76,6 +77,7 @@ private:
     void addPoints(const Impact& hit, const Tolerances& tolerances);
     bool iterate(Real tolerance, int most);
     void undo();
+    bool pushesOneBody() const;
     bool gainsEnergy() const;
 
     std::vector<Point> points_;

@@ -110,7 +110,7 @@ bool Popups::joins(const Popup& popup) {
 /// tried column by column, alternately above and below.
 Vec2 Popups::freePlace(Popup popup, std::span<const Aabb> busy, std::span<const Aabb> solid) const {
     constexpr int kTries = 40; // up and down
-    constexpr int kSteps = 13; // left and right
+    constexpr int kSteps = 21; // left and right
     const Vec2 wanted = heldIn(popup);
     const bool large = popup.height >= kTitlePopup || popup.praise;
     const Real weight = large ? kSolidTitle : kSolid;
