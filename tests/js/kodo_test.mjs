@@ -168,11 +168,11 @@ test("only a body whose continuous mode says so tunnels", () => {
     const world = new World();
     world.add({ shape: box(0.02, 9), position: { x: 5, y: 0 }, type: kodo.BodyType.Static });
     const ball = world.add({ shape: circle(0.1), velocity: { x: 400, y: 0 }, continuousMode });
-    assert.equal(ball.continuousMode, continuousMode);
+    assert.equal(ball.state().continuousMode, continuousMode);
     world.step(kDt);
     assert.equal(ball.position.x > 5, continuousMode === ContinuousNever);
     ball.setContinuousMode(ContinuousAll);
-    assert.equal(ball.continuousMode, ContinuousAll);
+    assert.equal(ball.state().continuousMode, ContinuousAll);
   }
 });
 
