@@ -3,6 +3,7 @@
 #include <apart/core/assets.hpp>
 #include <apart/core/bot.hpp>
 
+#include <array>
 #include <set>
 
 #include "game_access.hpp"
@@ -107,6 +108,29 @@ TEST(Hollow, IsFilledByAPaddleThatWentItsWayAndByNoTwitch) {
         EXPECT_TRUE(isHollowAfter(mode, 200));
         EXPECT_FALSE(isHollowAfter(mode, 500));
     }
+}
+
+/// Blocks of the best blow under pure rules, of a serve and of the hit by a paddle that went so far
+/// (mm) and back.
+std::array<std::int32_t, 2> pureBlows(std::int16_t way) {
+    Game game(column().state().origin.level, 1, Mode::Pure);
+    game.tick({.launch = true, .aim = std::int16_t{0}});
+    breakBlocks(game, 3);
+    const std::int32_t served = game.counts().bestBlow;
+    for (int i = 0; i < 480 && game.counts().hits < 2; ++i) {
+        game.tick({.target = i < 60 ? way : std::int16_t{0}});
+    }
+    EXPECT_EQ(game.counts().hits, 2);
+    EXPECT_FALSE(game.balls()[0].hollow);
+    breakBlocks(game, 2);
+    return {served, game.counts().bestBlow};
+}
+
+// Regression: a player who never moved won gold under pure rules, where no ball is hollow.
+TEST(Blow, UnderPureRulesAsksForAPaddleThatHasMovedToo) {
+    EXPECT_EQ(pureBlows(0), (std::array<std::int32_t, 2>{0, 0}));
+    EXPECT_EQ(pureBlows(200), (std::array<std::int32_t, 2>{0, 0}));
+    EXPECT_EQ(pureBlows(500), (std::array<std::int32_t, 2>{0, 2}));
 }
 
 TEST(Hollow, ABallThatStaysAboveIsServedAgainAndCostsNoLife) {

@@ -26,6 +26,14 @@ TEST(Medals, AScoreEarnsTheHighestMarkThatItReaches) {
     EXPECT_EQ(nextMark(0, "c", kMarks), 0);
 }
 
+TEST(Medals, ALostGameWinsBronzeAtMost) {
+    EXPECT_EQ(medalWon(99, false, "a", kMarks), Medal::None);
+    for (const std::int32_t score : {100, 399, 400}) {
+        EXPECT_EQ(medalWon(score, false, "a", kMarks), Medal::Bronze);
+        EXPECT_EQ(medalWon(score, true, "a", kMarks), medalOf(score, "a", kMarks));
+    }
+}
+
 TEST(Medals, BronzeIsForTheLazySilverForTwoGamesInTenAndGoldIsFifteenPercentAbove) {
     std::vector<std::int32_t> lazy(101);
     std::iota(lazy.begin(), lazy.end(), 1000); // 1000 to 1100: quantile q is 1000 + 100 q

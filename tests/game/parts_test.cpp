@@ -26,6 +26,7 @@ TEST(WeldedPart, IsAPartOfThePaddleAndAddsItsMass) {
     const kodo::BodyView paddle = game.world()[game.paddle()];
     EXPECT_EQ(paddle.partCount(), 2u);
     EXPECT_EQ(game.welds().size(), 1u);
+    EXPECT_EQ(game.score(), 0) << "nothing scores before the first serve";
     EXPECT_TRUE(near(paddle.mass(), before + partMass, 1e-4));
     EXPECT_EQ(welded->mass, paddle.mass());
     EXPECT_GT(paddle.bounds().upper.y, top + Real(0.3));

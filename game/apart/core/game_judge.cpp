@@ -134,7 +134,7 @@ void judgeBall(GameState& game, const CollisionRecord& hit, BodyId ball) {
         return;
     }
     if (what == Role::Paddle) {
-        game.counts.hit(game.tick, met->hollow);
+        game.counts.hit(game.tick, game.beginsBlow(*met));
     }
     const Block* block = game.findBlock(other, partOf(hit, other));
     game.events.emplace_back(Struck{.ball = ball,
@@ -272,7 +272,7 @@ void catchPart(GameState& game, std::size_t index, const CollisionRecord& hit) {
     if (power == Power::Wings && !weldWings(game)) {
         return;
     }
-    game.counts.score += kCatchPoints;
+    game.counts.score += game.counts.hits > 0 ? kCatchPoints : 0;
     game.events.emplace_back(Caught{body, power, hit.point, hit.maxImpulse});
     if (power == Power::Launch) {
         kodo::BodyRef stuck = game.world[body];

@@ -83,8 +83,7 @@ void newServe(GameState& game) {
     const Vec2 place = game.world[game.paddle.body].position() + rideOffset(kind);
     game.paddle.serveHeading = drawServe(game, place);
     ++game.counts.serves;
-    const bool hollow = game.origin.mode != Mode::Pure &&
-                        (isBuilding(*game.origin.level) || !game.origin.level->links.empty());
+    const bool hollow = game.origin.mode != Mode::Pure && asksForReturn(*game.origin.level);
     const BodyId ball = addBall(game.world, place, kind);
     game.world[ball].setType(kodo::BodyType::Kinematic);
     game.balls.push_back({ball, game.paddle.serveHeading, true, hollow, kind});
@@ -109,7 +108,7 @@ void serve(GameState& game) {
             }
             body.setVelocity(game.ballSpeed() * game.paddle.serveHeading);
             game.paddle.moved = 0;
-            game.counts.hit(game.tick, ball.hollow);
+            game.counts.hit(game.tick, game.beginsBlow(ball));
             game.events.emplace_back(Served{ball.body, body.position(), game.paddle.serveHeading});
         }
     }

@@ -48,11 +48,16 @@ Real GameState::ballSpeed() const {
     return origin.mode == Mode::Assisted ? kAssistedSpeed * speed : speed;
 }
 
-void Counts::hit(std::uint32_t tick, bool hollow) {
+bool GameState::beginsBlow(const Ball& ball) const {
+    const bool asked = origin.mode == Mode::Pure && asksForReturn(*origin.level);
+    return !ball.hollow && (!asked || paddle.moved > kMovedWay);
+}
+
+void Counts::hit(std::uint32_t tick, bool begins) {
     const bool apart = hits == 0 || tick - hitTick >= kHitTicks;
     if (apart && !isDown()) {
         ++hits;
-        blow = !hollow;
+        blow = begins;
         leftAtHit = blocksLeft;
     }
     hitTick = tick;

@@ -44,8 +44,8 @@ struct Counts {
     std::int32_t prizeUnit = 0; // points of all blocks, times kPrizeFactor
     std::uint32_t downTick = 0; // since which the building is down; 0: it is not
 
-    /// A ball touched the paddle, or was served, at a tick. A hollow one makes no blow.
-    void hit(std::uint32_t tick, bool hollow = false);
+    /// A ball touched the paddle, or was served, at a tick, and begins a blow or does not.
+    void hit(std::uint32_t tick, bool begins = true);
     /// Compares the blocks that the last hit cleared with the best blow. To be called each tick.
     void watchBlow();
     /// Points for the best blow, if the game were won now.
@@ -145,7 +145,10 @@ struct GameState {
     bool isCarried(const Block& block) const; // at its place on what carries it
     bool keeps() const;                       // Level::keep has not fallen; false without one
     bool serving() const;
-    bool armed() const;           // a ball in play is not hollow
+    bool armed() const; // a ball in play is not hollow
+    /// A hit with this ball begins a blow: it is not hollow. Under pure rules, where none is, the
+    /// paddle has moved since the serve as far as would fill it.
+    bool beginsBlow(const Ball& ball) const;
     bool falls() const;           // a block has fallen, and not landed yet
     kodo::Real ballSpeed() const; // m/s; target of the speed servo
     std::uint64_t hash() const;

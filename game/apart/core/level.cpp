@@ -75,6 +75,10 @@ bool isBuilding(const Level& level) {
            all > 0;
 }
 
+bool asksForReturn(const Level& level) {
+    return isBuilding(level) || !level.links.empty();
+}
+
 std::uint64_t digestOf(const Level& level) {
     kodo::StateHash hash;
     hash.add(level.ballSpeed);

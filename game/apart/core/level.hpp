@@ -241,6 +241,8 @@ bool hasGround(const Level& level);
 
 /// True if at least half of the blocks that break stand.
 bool isBuilding(const Level& level);
+/// A serve alone clears nothing: with a building or joints a paddle that moved must return it.
+bool asksForReturn(const Level& level);
 
 /// Hash of all that affects play; leaves out name, title, idea, theme, place, ways and turf.
 std::uint64_t digestOf(const Level& level);

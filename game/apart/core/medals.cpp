@@ -115,6 +115,11 @@ Medal medalOf(std::int32_t score, const std::string& level, std::span<const Meda
     return static_cast<Medal>(reached);
 }
 
+Medal medalWon(std::int32_t score, bool won, const std::string& level,
+               std::span<const MedalMarks> marks) {
+    return std::min(medalOf(score, level, marks), won ? Medal::Gold : Medal::Bronze);
+}
+
 std::int32_t nextMark(std::int32_t score, const std::string& level,
                       std::span<const MedalMarks> marks) {
     const MedalMarks* own = marksFor(level, marks);

@@ -74,8 +74,11 @@ std::array<std::int32_t, 3> scoresForMedals(const std::vector<std::int32_t>& laz
                                             const std::vector<std::int32_t>& good,
                                             const std::vector<std::int32_t>& absent);
 
-/// The medal of a score; None if there are no marks for this level.
+/// The medal that a score is worth; None if there are no marks for this level.
 Medal medalOf(std::int32_t score, const std::string& level, std::span<const MedalMarks> marks);
+/// The medal of a game, or of the best ones. A lost game has bronze at most.
+Medal medalWon(std::int32_t score, bool won, const std::string& level,
+               std::span<const MedalMarks> marks);
 /// Score of the next better medal; 0 if there is none.
 std::int32_t nextMark(std::int32_t score, const std::string& level,
                       std::span<const MedalMarks> marks);

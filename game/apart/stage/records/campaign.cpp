@@ -64,11 +64,12 @@ int medalsOf(const Level& level, const Profile& profile, std::span<const MedalMa
     if (marksFor(level.name, marks) == nullptr) {
         return isWon(level, profile) ? 1 : 0;
     }
-    std::int32_t best = 0;
+    Medal medal = Medal::None;
     for (std::size_t mode = 0; mode < kModeNames.size(); ++mode) {
-        best = std::max(best, profile.bestOf(static_cast<Mode>(mode), level.name).score);
+        const Best best = profile.bestOf(static_cast<Mode>(mode), level.name);
+        medal = std::max(medal, medalWon(best.score, best.cleared, level.name, marks));
     }
-    return static_cast<int>(medalOf(best, level.name, marks));
+    return static_cast<int>(medal);
 }
 
 std::vector<Stop> stopsOf(const LevelList& levels, const Campaign& campaign, const Profile& profile,

@@ -113,7 +113,8 @@ std::optional<Replay> Records::bestGame(Mode mode, const Level& level) const {
 }
 
 Medal Records::medalOf(Mode mode, const std::string& level) const {
-    return apart::medalOf(provedScore(mode, level), level, marks_);
+    const bool won = profile_.bestOf(mode, level).cleared;
+    return medalWon(provedScore(mode, level), won, level, marks_);
 }
 
 void Records::count(Theme theme, const PlayTotals& game) {

@@ -69,12 +69,16 @@ constexpr std::array<Color, kMedalNames.size()> kMedalColors = {
 /// What the score is worth: "points, silver medal, gold from 12 300".
 std::string worthText(const ResultsLook& look) {
     const std::string& level = look.game.level().name;
-    const auto medal = static_cast<std::size_t>(medalOf(look.score, level, look.marks));
+    const bool won = look.game.result() == Result::Won;
+    const auto worth = static_cast<std::size_t>(medalOf(look.score, level, look.marks));
+    const auto medal = static_cast<std::size_t>(medalWon(look.score, won, level, look.marks));
     std::string text = look.newBest ? "your best so far" : "points";
     if (medal > 0) {
         text += fmt::format(", {} medal", kMedalNames[medal]);
     }
-    if (const std::int32_t next = nextMark(look.score, level, look.marks); next > 0) {
+    if (worth > medal) {
+        text += fmt::format(", {} had it been won", kMedalNames[worth]);
+    } else if (const std::int32_t next = nextMark(look.score, level, look.marks); next > 0) {
         text += fmt::format(", {} from {}", kMedalNames[medal + 1], grouped(next));
     }
     return text;
@@ -227,13 +231,14 @@ void paintResults(Canvas& canvas, const ResultsLook& look) {
     canvas.text(worthText(look), {0, Real(11.6)},
                 {Real(0.5), look.newBest ? palette::kAccent : palette::kQuiet, Typeface::Plain,
                  Align::Middle, Real(22)});
+    const bool won = game.result() == Result::Won;
     paintMedal(canvas, {Real(-4.8), Real(12.8)}, Real(0.62),
-               medalOf(look.score, game.level().name, look.marks));
+               medalWon(look.score, won, game.level().name, look.marks));
     paintScoreLines(canvas, look);
     const MedalMarks* marks = marksFor(game.level().name, look.marks);
     const Best best = look.statistics.bestOf(game, marks); // honours of this game alone
     const HonoursLook honours{best, game.level(), marks};
-    const std::vector<bool> won = honoursWon(honours);
+    const std::vector<bool> given = honoursWon(honours);
     const std::vector<std::string> names = honourNames(game.level(), marks);
     const Vec2 step{std::min(Real(3.9), kHonoursRoom / static_cast<Real>(names.size())), 0};
     const Vec2 first = Vec2{0, Real(6.8)} - static_cast<Real>(names.size() - 1) / 2 * step;
@@ -243,7 +248,7 @@ void paintResults(Canvas& canvas, const ResultsLook& look) {
         Vec2 place = first + static_cast<Real>(i) * step - Vec2{0, Real(0.85)};
         const std::vector<std::string> lines = wrappedInto(2, names[i], 15, 22);
         const Real height = evenHeight(canvas, lines, Real(0.38), room);
-        const Color color = won[i] ? palette::kAccent : palette::kQuiet;
+        const Color color = given[i] ? palette::kAccent : palette::kQuiet;
         for (const std::string& line : lines) {
             canvas.text(line, place, {height, color, Typeface::Plain, Align::Middle, room});
             place.y -= Real(0.54);
