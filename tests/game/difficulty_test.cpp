@@ -61,4 +61,10 @@ TEST(Difficulty, SharesByThemeLeaveOutThemesWithoutALevel) {
     EXPECT_EQ(shares[1].theme, Theme::Fortress);
 }
 
+TEST(Difficulty, TimeUntilAWinCountsTheLostGamesToo) {
+    EXPECT_DOUBLE_EQ((SkillGames{.games = 4, .won = 2, .seconds = 30}.secondsToWin()), 60);
+    EXPECT_DOUBLE_EQ((SkillGames{.games = 4, .won = 4, .seconds = 30}.secondsToWin()), 30);
+    EXPECT_DOUBLE_EQ((SkillGames{.games = 4, .won = 0, .seconds = 30}.secondsToWin()), 150);
+}
+
 } // namespace

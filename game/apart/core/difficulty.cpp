@@ -29,6 +29,10 @@ double meanOf(const std::vector<double>& values) {
 
 } // namespace
 
+double SkillGames::secondsToWin() const {
+    return won > 0 ? seconds * games / won : seconds * (games + 1);
+}
+
 double LevelDifficulty::ease() const {
     double sum = 0;
     for (const SkillGames& games : skills) {

@@ -19,6 +19,8 @@ struct SkillGames {
     double cleared = 0; // 0..1, mean share of the blocks that broke or fell
     double seconds = 0; // mean duration of a game
 
+    /// Mean play until a level is won, in seconds. The next game counts as won if none was.
+    double secondsToWin() const;
     double wonShare() const { return games > 0 ? static_cast<double>(won) / games : 0; }
 };
 

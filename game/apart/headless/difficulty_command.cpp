@@ -78,6 +78,16 @@ bool judge(const std::vector<LevelDifficulty>& levels) {
                rankCorrelation(place, ease));
     fmt::print("The last of {} levels is number {} by difficulty and number {} by duration.\n",
                levels.size(), rankOfLast(hardness), rankOfLast(seconds));
+    fmt::print("Minutes of play until each level is won once:");
+    for (std::size_t skill = 0; skill < kSkills.size(); ++skill) {
+        double minutes = 0;
+        for (const LevelDifficulty& level : levels) {
+            minutes += level.skills[skill].secondsToWin() / 60;
+        }
+        const auto bot = static_cast<std::size_t>(kSkills[skill]);
+        fmt::print("{} {} {:.1f}", skill > 0 ? "," : "", kBotNames[bot], minutes);
+    }
+    fmt::print(".\n");
     bool passed = -rise >= kLeastCorrelation || levels.size() < kFirstLevels;
     for (std::size_t i = 0; i < std::min(kFirstLevels, levels.size()); ++i) {
         passed = passed && levels[i].skills[kClumsy].wonShare() >= kFirstShare;
