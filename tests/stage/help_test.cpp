@@ -209,6 +209,55 @@ TEST(HelpPage, PlaysWhileItIsOpenAndTheGameBehindItWaits) {
     EXPECT_EQ(rig.stage.screen(), Screen::Paused);
 }
 
+TEST(HelpPage, TellsOfTheHollowServeInOneLineOfItsFullSize) {
+    for (const int percent : {100, 140}) {
+        for (const bool fingers : {false, true}) {
+            Settings settings;
+            settings.text = percent;
+            HelpPage page{settings};
+            Bindings keys;
+            keys.fingers = fingers;
+            RecordingCanvas canvas;
+            canvas.setWindow({1280, 800});
+            canvas.begin(layout::kShownTitle, {});
+            canvas.setTextScale(static_cast<Real>(percent) / 100);
+            page.draw(canvas, keys);
+            EXPECT_TRUE(canvas.says("hollow"));
+            const auto& strokes = canvas.strokes();
+            const auto line = std::find_if(strokes.begin(), strokes.end(), [](const Stroke& text) {
+                return text.text.starts_with("at buildings or joints the serve clears nothing");
+            });
+            ASSERT_NE(line, strokes.end());
+            Stroke unbounded = *line;
+            unbounded.style.room = 0;
+            EXPECT_LE(sizeOf(unbounded, canvas, Real(1280) / Real(31.2)).x, line->style.room)
+                << percent;
+        }
+    }
+}
+
+TEST(HelpPage, SaysWhileTheServeOfABuildingIsHollow) {
+    HelpPage page{Settings{}};
+    const auto saysIt = [&] {
+        RecordingCanvas canvas;
+        canvas.begin(layout::kShownTitle, {});
+        page.draw(canvas, Bindings{});
+        EXPECT_NE(canvas.says("the serve is hollow"), canvas.says("medals by score"));
+        return canvas.says("the serve is hollow");
+    };
+    const Game& game = page.game(HelpTopic::Honours);
+    int hollow = 0;
+    int filled = 0;
+    for (int i = 0; i < 60 * 9; ++i) {
+        page.advance(1.0 / 60);
+        const bool is = !game.balls().empty() && game.balls()[0].hollow;
+        EXPECT_EQ(saysIt(), is) << i;
+        (is ? hollow : filled) += 1;
+    }
+    EXPECT_GT(hollow, 60);
+    EXPECT_GT(filled, 60);
+}
+
 TEST(HelpPage, TurnsToAPageOfAllPowersAndBack) {
     StageRig rig(StageRig::twoLevels());
     rig.clickItem(Action::Help);

@@ -51,6 +51,10 @@ std::array<Topic, 6> topicsFor(const Bindings& keys) {
     }};
 }
 
+/// A line of its own, below both columns.
+constexpr std::string_view kHollow = "at buildings or joints the serve clears nothing until the "
+                                     "paddle moves 0.6 m and returns it";
+
 /// Where the page leads to, of the powers or of the scenes.
 std::string_view footOf(bool powers, bool fingers) {
     if (fingers) {
@@ -67,6 +71,11 @@ struct Caption {
     std::string_view text;
 };
 
+bool isHollow(const Game& game) {
+    return std::any_of(game.balls().begin(), game.balls().end(),
+                       [](const Ball& ball) { return ball.hollow; });
+}
+
 Caption captionOf(HelpTopic topic, const Game& game, const Bindings& keys) {
     switch (topic) {
     case HelpTopic::Pull:
@@ -81,7 +90,7 @@ Caption captionOf(HelpTopic topic, const Game& game, const Bindings& keys) {
         return {"combo", game.counts().combo > 1 ? fmt::format("x{}", game.counts().combo) : "",
                 "breaks without a touch count up to eightfold"};
     case HelpTopic::Honours:
-        return {"honours", "medals by score", ""};
+        return {"honours", isHollow(game) ? "the serve is hollow" : "medals by score", ""};
     }
     return {};
 }
@@ -112,7 +121,7 @@ struct Layout {
     explicit Layout(const Canvas& canvas) : pitch(Real(0.6) * canvas.textScale()) {
         lines = canvas.textScale() > Real(1.05) ? 2 : 1;
         caption = Real(0.45) + Real(0.3) * canvas.textScale() + static_cast<Real>(lines) * pitch;
-        words = Real(0.85) + pitch * static_cast<Real>(3 * lines);
+        words = Real(0.85) + pitch * static_cast<Real>(3 * lines + 1);
         scene = (kTop - words) / 2 - caption - Real(0.25);
     }
     /// Base line of the name of a scene.
@@ -212,15 +221,20 @@ void paintMargin(Canvas& canvas, const Layout& layout, std::size_t row) {
 
 void paintWords(Canvas& canvas, const Bindings& keys, Real top) {
     constexpr Real kTopicRoom = Real(12.1);
+    constexpr Real kFirst = Real(-11.9);
+    constexpr Real kSecond = Real(3.1);
     const Layout layout(canvas);
+    const auto name = [&](std::string_view topic, Vec2 place) {
+        canvas.text(topic, place - Vec2{Real(0.4), 0},
+                    {kText, palette::kAccent, Typeface::Bold, Align::Right, Real(2.9)});
+    };
     const std::array<Topic, 6> topics = topicsFor(keys);
     for (std::size_t column = 0; column < 2; ++column) {
-        const Real left = column == 0 ? Real(-11.9) : Real(3.1);
+        const Real left = column == 0 ? kFirst : kSecond;
         Real y = top;
         for (std::size_t i = 0; i < 3; ++i) {
             const Topic& topic = topics[3 * column + i];
-            canvas.text(topic.name, {left - Real(0.4), y},
-                        {kText, palette::kAccent, Typeface::Bold, Align::Right, Real(2.9)});
+            name(topic.name, {left, y});
             Real line = y;
             for (const std::string& text : linesOf(canvas, topic.text, kTopicRoom)) {
                 canvas.text(text, {left, line},
@@ -230,6 +244,11 @@ void paintWords(Canvas& canvas, const Bindings& keys, Real top) {
             y -= static_cast<Real>(layout.lines) * layout.pitch;
         }
     }
+    const Vec2 last{kFirst, top - static_cast<Real>(3 * layout.lines) * layout.pitch};
+    name("hollow", last);
+    canvas.text(
+        kHollow, last,
+        {kText, palette::kText, Typeface::Plain, Align::Left, kSecond + kTopicRoom - kFirst});
 }
 
 } // namespace
