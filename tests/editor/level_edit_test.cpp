@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/assets.hpp>
+#include <apart/core/bot.hpp>
 #include <apart/core/editor/edit_document.hpp>
 #include <apart/core/editor/level_edit.hpp>
 #include <apart/core/editor/level_writer.hpp>
 #include <apart/core/editor/trial.hpp>
+#include <apart/core/level_file.hpp>
 #include <apart/core/standing_trial.hpp>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
+#include <variant>
 
 namespace apart {
 namespace {
@@ -252,6 +256,103 @@ TEST(ServeMap, IsTheSameInSlicesOfAnySize) {
     }
     EXPECT_GT(most, 0);
     EXPECT_LE(most, 1);
+}
+
+Level levelOf(std::string text) {
+    const Read<Level> read = parseLevel(
+        "format = 1\ntitle = 'map'\nidea = 'map'\nball-speed = 12000\n" + text, "map", "map");
+    if (const auto* problem = std::get_if<FileProblem>(&read)) {
+        ADD_FAILURE() << problem->text();
+        return {};
+    }
+    return std::get<Level>(read);
+}
+
+// Two ledges and a gate that lets it down alone guard a block: no ball reaches it. A wait brings it
+// down after 4 s, and it has left the field before the 8 s of a serve are over.
+TEST(ServeMap, WhatAWaitBringsDownIsNotCleared) {
+    const auto level = shared(levelOf(R"(
+grid = '''
+...............
+...............
+...............
+...............
+...............
+...............
+...............
+.......v.......
+'''
+[legend.v]
+obstruction = "gate"
+facing = "down"
+size = 2000
+[legend.g]
+stuff = "glass"
+[[block]]
+kind = "g"
+x = 0
+y = 15000
+[[ledge]]
+x = 1200
+y = 14500
+width = 400
+height = 7000
+mirror = true
+)"));
+    Game game(level, 1);
+    game.tick({.launch = true});
+    for (std::uint32_t i = 0; i < ServeMap::kSeconds * kTicksPerSecond; ++i) {
+        game.tick(bot(game));
+    }
+    EXPECT_EQ(game.result(), Result::Won) << "the wait brings it down";
+    ServeMap map(level);
+    map.advance(5 * ServeMap::kSeconds * kTicksPerSecond);
+    EXPECT_GE(map.served(), 5u);
+    EXPECT_EQ(map.clearedBy(0), 0);
+}
+
+// Three blocks on pegs make up most of a building; the fourth one stands in a closed box. Once the
+// others are down it comes down by itself.
+TEST(ServeMap, TheRestOfABuildingThatIsDownIsNotCleared) {
+    const auto level = shared(levelOf(R"(
+[legend.g]
+stuff = "glass"
+hold = "standing"
+[[ledge]]
+x = -6000
+y = 9000
+width = 400
+count = 3
+step = [6000, 0]
+[[block]]
+kind = "g"
+x = -6000
+y = 9600
+count = 3
+step = [6000, 0]
+[[ledge]]
+x = 0
+y = 14000
+width = 4000
+count = 2
+step = [0, 2000]
+[[ledge]]
+x = 1800
+y = 15000
+width = 400
+height = 1600
+mirror = true
+[[block]]
+kind = "g"
+x = 0
+y = 14600
+)"));
+    ServeMap map(level);
+    map.advance(40 * ServeMap::kSeconds * kTicksPerSecond);
+    EXPECT_GT(map.clearedBy(0), 0.2);
+    EXPECT_GT(map.clearedBy(1), 0.2);
+    EXPECT_GT(map.clearedBy(2), 0.2);
+    EXPECT_EQ(map.clearedBy(3), 0);
 }
 
 TEST(Trial, ABallFromAPlaceFliesDownAndIsNotHollow) {

@@ -18,6 +18,17 @@ namespace {
 constexpr std::uint32_t kSettled = kTouchTicks + 1; // the game knows by then what carries what
 constexpr std::uint32_t kFallTicks = 6 * kTicksPerSecond;
 
+/// Whether something came down by itself in the last tick: a mount gave way after a long wait, or
+/// the rest of a building that is down.
+bool comesDownByItself(const Game& game) {
+    const auto waited = [](const Event& event) {
+        const auto* let = std::get_if<LetGo>(&event);
+        return let != nullptr && (let->why == LetGo::Why::Fatigue || let->why == LetGo::Why::Torn);
+    };
+    return game.counts().isDown() ||
+           std::any_of(game.events().begin(), game.events().end(), waited);
+}
+
 } // namespace
 
 void Trial::dropBall(Game& game, Vec2 place) {
@@ -106,6 +117,7 @@ void ServeMap::begin() {
     const std::uint32_t place = served_ * kStride % kServes;
     const int aim = kMostAim * (2 * static_cast<int>(place) + 1 - static_cast<int>(kServes)) /
                     static_cast<int>(kServes);
+    gone_.assign(keys_.size(), false);
     game_ = start_;
     game_.tick({.launch = true, .aim = static_cast<std::int16_t>(aim)});
 }
@@ -113,7 +125,11 @@ void ServeMap::begin() {
 void ServeMap::advance(std::uint32_t ticks) {
     for (std::uint32_t i = 0; i < ticks && !done(); ++i) {
         game_.tick(bot(game_));
-        const bool over = game_.result() != Result::Playing || game_.serving() ||
+        const bool byItself = comesDownByItself(game_);
+        if (!byItself) {
+            look();
+        }
+        const bool over = byItself || game_.result() != Result::Playing || game_.serving() ||
                           game_.ticks() >= kSeconds * kTicksPerSecond;
         if (over) {
             finish();
@@ -121,12 +137,17 @@ void ServeMap::advance(std::uint32_t ticks) {
     }
 }
 
+void ServeMap::look() {
+    gone_.assign(keys_.size(), true);
+    for (const Block& block : game_.blocks()) {
+        const auto found = std::lower_bound(keys_.begin(), keys_.end(), block.key);
+        gone_[static_cast<std::size_t>(found - keys_.begin())] = block.support == Support::Fallen;
+    }
+}
+
 void ServeMap::finish() {
     for (std::size_t i = 0; i < keys_.size(); ++i) {
-        const auto stands = [&](const Block& block) {
-            return block.key == keys_[i] && block.support != Support::Fallen;
-        };
-        cleared_[i] += std::none_of(game_.blocks().begin(), game_.blocks().end(), stands) ? 1 : 0;
+        cleared_[i] += gone_[i] ? 1 : 0;
     }
     ++served_;
     if (!done()) {

@@ -47,7 +47,8 @@ private:
 };
 
 /// How often serves clear each block: kServes games with serves of all directions, each played by a
-/// bot for kSeconds at most, in slices.
+/// bot for kSeconds at most, in slices. A game is over before what comes down by itself does so,
+/// after a long wait or at the end of a building.
 class ServeMap {
 public:
     static constexpr std::uint32_t kServes = 200;
@@ -65,13 +66,15 @@ public:
 
 private:
     void begin();
+    void look();
     void finish();
 
     Game start_;
     Game game_;
     std::uint32_t served_ = 0;
-    std::vector<std::uint32_t> keys_; // of the blocks
-    std::vector<std::uint32_t> cleared_;
+    std::vector<std::uint32_t> keys_;    // of the blocks
+    std::vector<std::uint32_t> cleared_; // by serves that are over
+    std::vector<bool> gone_;             // in this game
 };
 
 } // namespace apart
