@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/assets.hpp>
+#include <apart/core/editor/edit_document.hpp>
+#include <apart/core/editor/ground_edit.hpp>
 #include <apart/core/editor/level_writer.hpp>
 #include <apart/core/endless.hpp>
 #include <apart/core/level_file.hpp>
@@ -159,6 +161,19 @@ TEST(LevelWriter, RareKeysAreKept) {
     const Level& level = std::get<Level>(read);
     EXPECT_TRUE(level.freeBlocks[0].mirrored);
     EXPECT_EQ(readBack(level), level) << toToml(level);
+}
+
+TEST(LevelWriter, GroundOfEachTurfIsReadAsItWasWritten) {
+    Level level = newLevel("turf");
+    for (const Turf turf : {Turf::Grass, Turf::Rock, Turf::Sand, Turf::Timber}) {
+        const std::int32_t x = 3000 * static_cast<std::int32_t>(turf);
+        level = withGround(std::move(level), {{x, 4000}, {x + 2000, 3000}, {x + 1000, 4567}}, turf);
+    }
+    const Level back = readBack(level);
+    EXPECT_EQ(back, level) << toToml(level);
+    ASSERT_EQ(back.obstructions.size(), 5u);
+    EXPECT_EQ(back.obstructions[4].turf, Turf::Timber);
+    EXPECT_EQ(back.obstructions[4].points[2], (GroundPoint{10000, 4567}));
 }
 
 TEST(LevelWriter, GeneratedLevelsAreReadAsTheyWereWritten) {

@@ -60,6 +60,7 @@ std::optional<Command> fixedCommand(int key, bool inGame) {
 }
 
 constexpr int kSecondServe = keyOf("enter"); // of the second of two players
+constexpr std::array<int, 2> kShifts = {keyOf("left shift"), keyOf("right shift")};
 
 constexpr float kDeadZone = 0.2f;   // share of the way of a stick
 constexpr float kTiltBegins = 0.6f; // likewise, in a menu
@@ -199,6 +200,8 @@ void HeldKeys::addColumn(std::size_t column, PaddleSignals& signals) const {
 }
 
 void HeldKeys::addHeld(const std::array<bool, 2>& buttons, Signals& signals) const {
+    signals.shiftHeld = std::any_of(kShifts.begin(), kShifts.end(),
+                                    [&](int key) { return held_[static_cast<std::size_t>(key)]; });
     bool serve = buttons[0];
     for (std::size_t i = 0; i < kSeats; ++i) {
         addColumn(kColumnOfSeat[i], signals);

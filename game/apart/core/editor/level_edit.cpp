@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <apart/core/editor/ground_edit.hpp>
 #include <apart/core/editor/level_edit.hpp>
 #include <apart/core/tuning.hpp>
 
@@ -178,11 +179,8 @@ Level withMirrorImages(Level level, std::span<const LevelPart> parts) {
             images[part.index] = static_cast<std::int32_t>(level.freeBlocks.size());
             level.freeBlocks.push_back(image);
         } else if (part.of == LevelPart::Of::Obstruction &&
-                   before.obstructions[part.index].kind == ObstructionKind::Ledge) {
-            ObstructionDef image = before.obstructions[part.index];
-            image.x = -image.x;
-            image.turn = -image.turn;
-            level.obstructions.push_back(image);
+                   !isInGrid(before.obstructions[part.index])) {
+            level.obstructions.push_back(mirrorImage(before.obstructions[part.index]));
         }
     }
     for (const LinkDef& link : before.links) {
@@ -256,6 +254,9 @@ Level flipped(Level level, std::span<const LevelPart> parts) {
     for (const LevelPart part : parts) {
         if (part.of == LevelPart::Of::Block) {
             level.freeBlocks[part.index].mirrored = !level.freeBlocks[part.index].mirrored;
+        } else if (hasOutline(level, part)) {
+            ObstructionDef& ground = level.obstructions[part.index];
+            ground = flippedGround(ground);
         }
     }
     return level;
@@ -322,11 +323,11 @@ Level withLedge(Level level, Vec2 place, std::int32_t width) {
     return level;
 }
 
-std::optional<Level> withRope(Level level, Vec2 from, Vec2 to) {
+std::optional<Level> withRope(Level level, Vec2 from, Vec2 to, bool free) {
     constexpr Real kUpright = Real(0.2); // m; a rope that is nearly upright is upright
-    from = anchorAt(level, from);
-    to = anchorAt(level, to);
-    if (std::abs(from.x - to.x) < kUpright) {
+    from = free ? from : anchorAt(level, from);
+    to = free ? to : anchorAt(level, to);
+    if (!free && std::abs(from.x - to.x) < kUpright) {
         (blockAt(level, to) ? from.x : to.x) = blockAt(level, to) ? to.x : from.x;
     }
     std::vector<std::int32_t> first = blocksAt(level, from);
@@ -350,8 +351,9 @@ std::optional<Level> withRope(Level level, Vec2 from, Vec2 to) {
     return level;
 }
 
-std::optional<Level> withPin(Level level, Vec2 place, std::span<const LevelPart> chosen) {
-    place = anchorAt(level, place);
+std::optional<Level> withPin(Level level, Vec2 place, std::span<const LevelPart> chosen,
+                             bool free) {
+    place = free ? place : anchorAt(level, place);
     std::vector<std::int32_t> found;
     for (const LevelPart part : chosen) {
         if (part.of == LevelPart::Of::Block) {

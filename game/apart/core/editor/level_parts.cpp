@@ -107,26 +107,64 @@ std::int32_t toGrid(std::int32_t place) {
     return static_cast<std::int32_t>(std::lround(cells)) * kSnapGrid - place;
 }
 
+/// `local`: m, in the frame of the shape.
+bool isInside(const kodo::Shape& shape, Vec2 local) {
+    constexpr Real kNear = Real(0.01); // m; a pin may be at an edge
+    const auto inside = [&](const kodo::Polygon& polygon) {
+        for (std::size_t k = 0; k < polygon.corners.size(); ++k) {
+            const Vec2 from = polygon.corners[k];
+            const Vec2 edge = polygon.corners[(k + 1) % polygon.corners.size()] - from;
+            if (cross(edge, local - from) < -kNear * length(edge)) {
+                return false;
+            }
+        }
+        return true;
+    };
+    const std::vector<kodo::Polygon> polygons = polygonsOf(shape);
+    return std::any_of(polygons.begin(), polygons.end(), inside);
+}
+
+bool isHere(const Level& level, LevelPart part, Vec2 place) {
+    constexpr Real kNearLine = Real(0.15); // m
+    if (part.of == LevelPart::Of::Link) {
+        const LinkDef& link = level.links[part.index];
+        const Vec2 from = metresOf(link.fromX, link.fromY);
+        const Vec2 way = metresOf(link.toX, link.toY) - from;
+        const Real along = std::clamp(dot(place - from, way) / std::max(dot(way, way), Real(1e-6)),
+                                      Real(0), Real(1));
+        return length(place - from - along * way) < kNearLine;
+    }
+    if (!boundsOf(level, part).contains(place)) {
+        return false;
+    }
+    if (part.of == LevelPart::Of::Block) {
+        return blockAt(level, place) == part.index;
+    }
+    const bool outline =
+        part.of == LevelPart::Of::Obstruction && !level.obstructions[part.index].points.empty();
+    return !outline || isInside(solidOf(level.obstructions[part.index]), place);
+}
+
+/// Edges of an outline that blocks stand on or beside: the level ones that face up, and the upright
+/// ones.
+void addEdges(std::vector<std::pair<Range, Range>>& all, const ObstructionDef& ground) {
+    for (std::size_t i = 0; i < ground.points.size(); ++i) {
+        const GroundPoint a = ground.points[i];
+        const GroundPoint b = ground.points[(i + 1) % ground.points.size()];
+        if (a.x == b.x || (a.y == b.y && b.x < a.x)) {
+            all.emplace_back(Range{std::min(a.x, b.x), std::max(a.x, b.x)},
+                             Range{std::min(a.y, b.y), std::max(a.y, b.y)});
+        }
+    }
+}
+
 } // namespace
 
 std::vector<std::int32_t> blocksAt(const Level& level, Vec2 place) {
-    constexpr Real kNear = Real(0.01); // m; a pin may be at an edge
     std::vector<std::int32_t> found;
     for (std::size_t i = level.freeBlocks.size(); i-- > 0;) {
         const PlacedShape placed = placedShapeOf(level.freeBlocks[i]);
-        const Vec2 local = toLocal(placed.frame, place);
-        const auto inside = [&](const kodo::Polygon& polygon) {
-            for (std::size_t k = 0; k < polygon.corners.size(); ++k) {
-                const Vec2 from = polygon.corners[k];
-                const Vec2 edge = polygon.corners[(k + 1) % polygon.corners.size()] - from;
-                if (cross(edge, local - from) < -kNear * length(edge)) {
-                    return false;
-                }
-            }
-            return true;
-        };
-        const std::vector<kodo::Polygon> polygons = polygonsOf(placed.shape);
-        if (std::any_of(polygons.begin(), polygons.end(), inside)) {
+        if (isInside(placed.shape, toLocal(placed.frame, place))) {
             found.push_back(static_cast<std::int32_t>(i));
         }
     }
@@ -168,21 +206,9 @@ std::optional<std::size_t> blockAt(const Level& level, Vec2 place) {
 }
 
 std::optional<LevelPart> partAt(const Level& level, Vec2 place) {
-    constexpr Real kNearLine = Real(0.15); // m
     std::optional<LevelPart> found;
     forParts(level, [&](LevelPart part) {
-        bool here = boundsOf(level, part).contains(place);
-        if (part.of == LevelPart::Of::Link) {
-            const LinkDef& link = level.links[part.index];
-            const Vec2 from = metresOf(link.fromX, link.fromY);
-            const Vec2 way = metresOf(link.toX, link.toY) - from;
-            const Real along = std::clamp(
-                dot(place - from, way) / std::max(dot(way, way), Real(1e-6)), Real(0), Real(1));
-            here = length(place - from - along * way) < kNearLine;
-        }
-        if (part.of != LevelPart::Of::Block && here) {
-            found = part;
-        } else if (part.of == LevelPart::Of::Block && here && blockAt(level, place) == part.index) {
+        if (isHere(level, part, place)) {
             found = part;
         }
     });
@@ -199,6 +225,22 @@ LevelParts partsIn(const Level& level, const Aabb& box) {
     return parts;
 }
 
+LevelParts followed(LevelParts parts, const Level& before, const Level& after) {
+    const auto follow = [](std::size_t& index, const auto& from, const auto& to) {
+        const auto found =
+            index < from.size() ? std::find(to.begin(), to.end(), from[index]) : to.end();
+        index = found == to.end() ? index : static_cast<std::size_t>(found - to.begin());
+    };
+    for (LevelPart& part : parts) {
+        if (part.of == LevelPart::Of::Obstruction) {
+            follow(part.index, before.obstructions, after.obstructions);
+        } else if (part.of == LevelPart::Of::Cell) {
+            follow(part.index, before.cells, after.cells);
+        }
+    }
+    return parts;
+}
+
 EditStep snapped(const Level& level, const Aabb& bounds, std::span<const LevelPart> own,
                  EditStep step) {
     constexpr std::int32_t kBeside = 300; // 1/1000 m; nearer parts are neighbours
@@ -209,9 +251,14 @@ EditStep snapped(const Level& level, const Aabb& bounds, std::span<const LevelPa
         const bool solid = part.of == LevelPart::Of::Block || part.of == LevelPart::Of::Cell ||
                            (part.of == LevelPart::Of::Obstruction &&
                             level.obstructions[part.index].kind != ObstructionKind::Ground);
-        if (solid && std::find(own.begin(), own.end(), part) == own.end()) {
+        if (std::find(own.begin(), own.end(), part) != own.end()) {
+            return;
+        }
+        if (solid) {
             const Aabb box = boundsOf(level, part);
             others.emplace_back(across(box), up(box));
+        } else if (part.of == LevelPart::Of::Obstruction) {
+            addEdges(others, level.obstructions[part.index]);
         }
     });
     Nearest rise;

@@ -34,6 +34,8 @@ struct EditStep {
 std::optional<LevelPart> partAt(const Level& level, kodo::Vec2 place);
 /// The parts whose middles are in a rectangle (m).
 LevelParts partsIn(const Level& level, const kodo::Aabb& box);
+/// The same parts after a document has put cells and obstructions in the order of the file.
+LevelParts followed(LevelParts parts, const Level& before, const Level& after);
 /// The free blocks at a place (m), the latest first; indices into Level::freeBlocks.
 std::vector<std::int32_t> blocksAt(const Level& level, kodo::Vec2 place);
 std::optional<std::size_t> blockAt(const Level& level, kodo::Vec2 place); // the latest one

@@ -50,9 +50,10 @@ struct Signals : PaddleSignals {
     bool clicked = false;                    // at `pointerNow`; also for a captured mouse
     kodo::Vec2 pointerNow{};                 // m
     bool dragging = false;                   // the left button of a free mouse is held
-    std::vector<Command> commands{};         // in order of pressing
-    std::vector<Press> presses{};            // the same keys and buttons, whatever they mean
-    bool anyKey = false;                     // any key was pressed, even an unassigned one
+    bool shiftHeld = false;
+    std::vector<Command> commands{}; // in order of pressing
+    std::vector<Press> presses{};    // the same keys and buttons, whatever they mean
+    bool anyKey = false;             // any key was pressed, even an unassigned one
     bool focusLost = false;
     bool closed = false; // by the window's close button
 };

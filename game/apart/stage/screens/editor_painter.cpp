@@ -47,6 +47,13 @@ void paintPart(Canvas& canvas, const Level& level, LevelPart part, Color color) 
         return paintShape(canvas, placedShapeOf(level.freeBlocks[part.index]), faded(color, 0.3f),
                           color);
     }
+    if (hasOutline(level, part)) {
+        const ObstructionDef& ground = level.obstructions[part.index];
+        for (const kodo::Polygon& piece : polygonsOf(solidOf(ground))) {
+            canvas.polygon(piece.corners, faded(color, 0.2f));
+        }
+        return canvas.outline(outlineOf(ground), Real(0.06), color);
+    }
     const std::array<Vec2, 4> corners = rectangleOf(boundsOf(level, part));
     canvas.polygon(corners, faded(color, 0.2f));
     canvas.outline(corners, Real(0.06), color);
@@ -78,15 +85,18 @@ void paintButton(Canvas& canvas, const EditorButton& button, bool on, bool under
         return;
     }
     Color color = on ? palette::kAccent : palette::kText;
-    if (button.act == EditorAct::Stuff) {
+    const bool turf = button.act == EditorAct::Turf;
+    if (turf || button.act == EditorAct::Stuff) {
         const Real inner = Real(0.08);
-        const Color stuff = canvas.palette().of(static_cast<Stuff>(button.value));
+        const Color stuff = turf ? palette::kTurf[button.value]
+                                 : canvas.palette().of(static_cast<Stuff>(button.value));
         canvas.polygon(rectangleOf(button.place.grown(-inner)), stuff);
         color = palette::kInk;
     }
+    const bool small = turf || button.act == EditorAct::Hold;
     canvas.text(button.label, {middle.x, middle.y - Real(0.14)},
-                {button.act == EditorAct::Hold ? Real(0.3) : Real(0.42), color, Typeface::Plain,
-                 Align::Middle, size.x - Real(0.12)});
+                {small ? Real(0.3) : Real(0.42), color, Typeface::Plain, Align::Middle,
+                 size.x - (turf ? Real(0.22) : Real(0.12))});
 }
 
 /// An arrow down to a place.
@@ -113,6 +123,14 @@ bool EditorScreen::isOn(const EditorButton& button) const {
         return tool_.tool == EditorTool::Rope;
     case EditorAct::Pin:
         return tool_.tool == EditorTool::Pin;
+    case EditorAct::Ground:
+        return tool_.tool == EditorTool::Ground;
+    case EditorAct::Turf: {
+        const ObstructionDef* ground = chosenGround();
+        return ground != nullptr ? ground->turf == static_cast<Turf>(button.value)
+                                 : tool_.tool == EditorTool::Ground &&
+                                       tool_.turf == static_cast<Turf>(button.value);
+    }
     case EditorAct::Stuff:
         return block && tool_.stuff == static_cast<Stuff>(button.value);
     case EditorAct::Hold:
@@ -193,7 +211,7 @@ void EditorScreen::drawHand(Canvas& canvas) const {
         const Color color = canvas.palette().of(tool_.stuff);
         paintShape(canvas, placedShapeOf(block), faded(color, 0.6f), palette::kText);
     }
-    if (hand_.pressed && !hand_.drags && tool_.tool == EditorTool::Select) {
+    if (hand_.pressed && !hand_.drags && !outline_.drags && tool_.tool == EditorTool::Select) {
         const Aabb box =
             unite(Aabb{*hand_.pressed, *hand_.pressed}, Aabb{hand_.pointer, hand_.pointer});
         canvas.outline(rectangleOf(box), Real(0.05), palette::kAccent);
@@ -255,27 +273,45 @@ std::string EditorScreen::forecastText() const {
     return trials_.forecast->done() ? "nothing comes down" : "...";
 }
 
+/// What the tool does, for the same line.
+std::string_view EditorScreen::hint() const {
+    switch (tool_.tool) {
+    case EditorTool::Select:
+        return chosenGround() != nullptr
+                   ? "drag a corner, or the middle of an edge   click a corner, X: remove it   "
+                     "shift: no snapping"
+                   : "drag: move   shift: no snapping   drag beside: choose several   "
+                     "arrows: 50 mm   rest on a block: its fall";
+    case EditorTool::Block:
+        return "click: place   shift: no snapping   E: turn   F: flip   A: select";
+    case EditorTool::Ledge:
+        return "click or drag: a ledge   shift: no snapping   A: select";
+    case EditorTool::Rope:
+        return "drag from the field or a block to a block   shift: no snapping   A: select";
+    case EditorTool::Pin:
+        return "click where two blocks meet, or a block and the field   shift: no snapping   "
+               "A: select";
+    case EditorTool::Ground:
+        break;
+    }
+    return outline_.corners.empty()
+               ? "click: the corners of ground, one after the other   shift: no snapping   "
+                 "A: select"
+               : "click: next corner   the first one, enter: done   Z: one back   escape: drop it";
+}
+
 void EditorScreen::draw(Canvas& canvas, double now) const {
     paintBackdrop(canvas, document_.level()->theme, now);
     constexpr Real kGrown = 300; // ticks, after which blocks are at full size; nothing moves
     play_->draw(canvas, kGrown, layout::kShown, false);
-    paintPanelBack(canvas, document_.level()->theme);
     drawTrials(canvas, now);
     drawHand(canvas);
+    drawGround(canvas);
     drawPanel(canvas);
     const bool news = !notice_.empty() && now - noticeAt_ < kNoticeSeconds;
-    const std::string hint =
-        tool_.tool == EditorTool::Select
-            ? "drag: move   drag beside: choose several   arrows: by 50 mm   "
-              "rest on a block: what a hit brings down"
-        : tool_.tool == EditorTool::Block ? "click: place   E: turn   F: flip   A: select"
-        : tool_.tool == EditorTool::Ledge ? "click or drag: a ledge   A: select"
-        : tool_.tool == EditorTool::Rope
-            ? "drag from the field or a block to a block   A: select"
-            : "click where two blocks meet, or a block and the field   A: select";
     const bool foretold = !news && trials_.forecast;
     const Color color = news ? palette::kAccent : foretold ? palette::kText : palette::kQuiet;
-    const std::string line = news ? notice_ : foretold ? forecastText() : hint;
+    const std::string line = news ? notice_ : foretold ? forecastText() : std::string(hint());
     canvas.text(
         line, {0, Real(0.25)},
         {Real(0.46), color, foretold ? Typeface::Bold : Typeface::Plain, Align::Middle, Real(23)});

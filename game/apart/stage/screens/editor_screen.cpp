@@ -18,71 +18,9 @@ constexpr int kRestFrames = 20;           // of the pointer, until the fall is f
 constexpr std::int32_t kTurnStep = 15000; // 1/1000 degree
 constexpr double kAskSeconds = 4;         // in which a second escape leaves
 constexpr const char* kUnsaved = "Not saved. Once more to leave all the same.";
-constexpr Real kWidth = layout::kPanelRight - layout::kPanelLeft; // m, of the buttons
 
 std::int32_t thousandths(Real metres) {
     return static_cast<std::int32_t>(std::lround(metres * 1000));
-}
-
-/// Buttons in rows from a height on. Returns the next height.
-Real addRow(std::vector<EditorButton>& all, std::vector<EditorButton> row, Real top, Real height) {
-    const Real step = kWidth / static_cast<Real>(row.size());
-    for (std::size_t i = 0; i < row.size(); ++i) {
-        const Real left = layout::kPanelLeft + step * static_cast<Real>(i);
-        row[i].place = {{left, top - height}, {left + step - Real(0.12), top}};
-        all.push_back(std::move(row[i]));
-    }
-    return top - height - Real(0.12);
-}
-
-std::vector<EditorButton> makeButtons() {
-    using Act = EditorAct;
-    std::vector<EditorButton> all;
-    constexpr Real kHigh = Real(0.68);
-    Real top = Real(15.2);
-    top = addRow(all, {{Act::Select, {}, "select  A"}, {Act::Ledge, {}, "ledge  L"}}, top, kHigh);
-    top = addRow(all, {{Act::Rope, {}, "rope  R"}, {Act::Pin, {}, "pin  P"}}, top, kHigh);
-    top -= Real(0.3);
-    std::vector<EditorButton> row;
-    for (std::size_t i = 0; i < kStuffNames.size(); ++i) {
-        row.push_back({Act::Stuff, {}, std::to_string(i + 1), i});
-    }
-    top = addRow(all, std::move(row), top, Real(0.8));
-    row = {};
-    for (const Support hold : {Support::Standing, Support::Mounted, Support::Moving}) {
-        const auto value = static_cast<std::size_t>(hold);
-        row.push_back({Act::Hold, {}, std::string(kSupportNames[value]), value});
-    }
-    top = addRow(all, std::move(row), top, kHigh);
-    for (std::size_t first = 0; first < kFormNames.size(); first += 4) {
-        row = {};
-        for (std::size_t i = first; i < first + 4; ++i) {
-            row.push_back({Act::Shape, {}, "", i});
-        }
-        const bool last = first + 4 > kFormNames.size();
-        top = addRow(all, std::move(row), top, Real(0.8));
-        if (last) {
-            all.pop_back(); // eleven shapes
-        }
-    }
-    top -= Real(0.3);
-    top = addRow(all, {{Act::Undo, {}, "undo  Z"}, {Act::Redo, {}, "redo  Y"}}, top, kHigh);
-    top = addRow(all, {{Act::Mirror, {}, "mirror  M"}, {Act::Flip, {}, "flip  F"}}, top, kHigh);
-    top = addRow(all, {{Act::Turn, {}, "turn  E"}, {Act::Remove, {}, "remove  X"}}, top, kHigh);
-    top -= Real(0.3);
-    top = addRow(all, {{Act::Map, {}, "serves  H"}, {Act::Try, {}, "try here  T"}}, top, kHigh);
-    addRow(all, {{Act::Save, {}, "save  S"}, {Act::Leave, {}, "leave  esc"}}, top, kHigh);
-    return all;
-}
-
-/// The key of an act, or kNoKey.
-int keyOf(const EditorButton& button) {
-    if (button.act == EditorAct::Stuff) {
-        return keyNamed(button.label).value_or(kNoKey);
-    }
-    const std::size_t space = button.label.rfind(' ');
-    const bool letter = space != std::string::npos && space + 2 == button.label.size();
-    return letter ? keyNamed(button.label.substr(space + 1)).value_or(kNoKey) : kNoKey;
 }
 
 } // namespace
@@ -90,11 +28,6 @@ int keyOf(const EditorButton& button) {
 EditorScreen::EditorScreen(EditorStart start, const Settings& settings)
     : start_(std::move(start)), settings_(settings), document_(start_.level) {
     changed();
-}
-
-const std::vector<EditorButton>& EditorScreen::buttons() {
-    static const std::vector<EditorButton> all = makeButtons();
-    return all;
 }
 
 void EditorScreen::say(std::string sentence, double now) {
@@ -115,11 +48,13 @@ void EditorScreen::changed() {
 
 void EditorScreen::change(Level level, double now) {
     const std::shared_ptr<const Level> before = document_.level();
+    const Level wanted = level;
     if (const std::string problem = document_.apply(std::move(level)); !problem.empty()) {
         return say("That is no level: " + problem + ".", now);
     }
     notice_.clear();
     if (document_.level() != before) {
+        hand_.chosen = followed(std::move(hand_.chosen), wanted, *document_.level());
         changed();
     }
 }
@@ -133,10 +68,13 @@ FreeBlock EditorScreen::blockInHand() const {
 
 EditStep EditorScreen::step() const {
     const auto stepOf = [](Vec2 way) { return EditStep{thousandths(way.x), thousandths(way.y)}; };
+    const auto placed = [&](const kodo::Aabb& bounds, const LevelParts& own, EditStep way) {
+        return hand_.free ? way : snapped(*document_.level(), bounds, own, way);
+    };
     const Level& level = *document_.level();
     if (tool_.tool == EditorTool::Block) {
         const kodo::Aabb bounds = boundsOf(placedShapeOf(blockInHand()));
-        return snapped(level, bounds, {}, stepOf(hand_.pointer - bounds.center()));
+        return placed(bounds, {}, stepOf(hand_.pointer - bounds.center()));
     }
     if (!hand_.drags || !hand_.pressed || hand_.chosen.empty()) {
         return {};
@@ -148,13 +86,13 @@ EditStep EditorScreen::step() const {
     const EditStep way = stepOf(hand_.pointer - *hand_.pressed);
     constexpr std::int32_t kStill = 80; // 1/1000 m; less is a click
     const bool still = std::abs(way.x) < kStill && std::abs(way.y) < kStill;
-    return still ? EditStep{} : snapped(level, bounds, hand_.chosen, way);
+    return still ? EditStep{} : placed(bounds, hand_.chosen, way);
 }
 
 void EditorScreen::press() {
     hand_.pressed = hand_.pointer;
     hand_.drags = false;
-    if (tool_.tool != EditorTool::Select) {
+    if (pressGrip() || tool_.tool != EditorTool::Select) {
         return;
     }
     const std::optional<LevelPart> part = partAt(*document_.level(), hand_.pointer);
@@ -172,6 +110,9 @@ void EditorScreen::release(double now) {
     const Vec2 to = hand_.pointer;
     const EditStep way = step(); // before the button counts as released
     hand_.pressed.reset();
+    if (outline_.drags) {
+        return releaseGrip(from, now);
+    }
     const Level& level = *document_.level();
     switch (tool_.tool) {
     case EditorTool::Select:
@@ -189,11 +130,12 @@ void EditorScreen::release(double now) {
     }
     case EditorTool::Ledge: {
         constexpr std::int32_t kUsual = 4000; // 1/1000 m
-        const std::int32_t across = std::abs(thousandths(to.x - from.x)) / kSnapGrid * kSnapGrid;
+        const std::int32_t grid = hand_.free ? 1 : kSnapGrid;
+        const std::int32_t across = std::abs(thousandths(to.x - from.x)) / grid * grid;
         const bool drawn = across >= 400;
         const Real middle = drawn ? (from.x + to.x) / 2 : to.x;
-        const auto onGrid = [](Real place) {
-            return std::round(place * 1000 / kSnapGrid) * kSnapGrid / 1000;
+        const auto onGrid = [step = static_cast<Real>(grid)](Real place) {
+            return std::round(place * 1000 / step) * step / 1000;
         };
         const std::int32_t width = drawn ? across : kUsual;
         return change(withLedge(level, {onGrid(middle), onGrid(from.y)}, width), now);
@@ -201,8 +143,8 @@ void EditorScreen::release(double now) {
     case EditorTool::Rope:
     case EditorTool::Pin: {
         const bool rope = tool_.tool == EditorTool::Rope;
-        std::optional<Level> linked =
-            rope ? withRope(level, from, to) : withPin(level, to, hand_.chosen);
+        std::optional<Level> linked = rope ? withRope(level, from, to, hand_.free)
+                                           : withPin(level, to, hand_.chosen, hand_.free);
         if (!linked) {
             return say(rope ? "One end of a rope is at a block that is not mounted."
                             : "A pin is at a block that is not mounted.",
@@ -210,7 +152,47 @@ void EditorScreen::release(double now) {
         }
         return change(std::move(*linked), now);
     }
+    case EditorTool::Ground:
+        return addCorner(now);
     }
+}
+
+/// What is drawn of an outline is dropped.
+void EditorScreen::setTool(EditorTool tool) {
+    tool_.tool = tool;
+    outline_ = {};
+}
+
+/// Or takes back the latest corner of an outline.
+void EditorScreen::undo(bool again) {
+    outline_.grip.reset();
+    if (!again && !outline_.corners.empty()) {
+        return outline_.corners.pop_back();
+    }
+    again ? document_.redo() : document_.undo();
+    hand_.chosen.clear();
+    changed();
+}
+
+void EditorScreen::remove(double now) {
+    if (!outline_.corners.empty()) {
+        return outline_.corners.pop_back();
+    }
+    if (chosenGround() != nullptr && outline_.grip) {
+        const std::size_t corner = outline_.grip->corner;
+        outline_.grip.reset();
+        return change(withoutCorner(*document_.level(), hand_.chosen[0].index, corner), now);
+    }
+    change(without(*document_.level(), hand_.chosen), now);
+    hand_.chosen.clear();
+}
+
+void EditorScreen::nudge(EditStep step, double now) {
+    if (const ObstructionDef* ground = chosenGround(); ground != nullptr && outline_.grip) {
+        const GroundPoint from = ground->points[outline_.grip->corner];
+        return putCorner(*outline_.grip, {from.x + step.x, from.y + step.y}, now);
+    }
+    change(moved(*document_.level(), hand_.chosen, step), now);
 }
 
 void EditorScreen::save(double now) {
@@ -229,35 +211,31 @@ void EditorScreen::act(const EditorButton& button, double now) {
     const bool placing = tool_.tool == EditorTool::Block;
     switch (button.act) {
     case EditorAct::Select:
-        tool_.tool = EditorTool::Select;
-        return;
+        return setTool(EditorTool::Select);
     case EditorAct::Ledge:
-        tool_.tool = EditorTool::Ledge;
-        return;
+        return setTool(EditorTool::Ledge);
     case EditorAct::Rope:
-        tool_.tool = EditorTool::Rope;
-        return;
+        return setTool(EditorTool::Rope);
     case EditorAct::Pin:
-        tool_.tool = EditorTool::Pin;
-        return;
+        return setTool(EditorTool::Pin);
+    case EditorAct::Ground:
+        hand_.chosen.clear();
+        return setTool(EditorTool::Ground);
+    case EditorAct::Turf:
+        return setTurf(static_cast<Turf>(button.value), now);
     case EditorAct::Stuff:
         tool_.stuff = static_cast<Stuff>(button.value);
-        tool_.tool = EditorTool::Block;
-        return;
+        return setTool(EditorTool::Block);
     case EditorAct::Hold:
         tool_.hold = static_cast<Support>(button.value);
-        tool_.tool = EditorTool::Block;
-        return;
+        return setTool(EditorTool::Block);
     case EditorAct::Shape:
         tool_.form = static_cast<Form>(button.value);
         tool_.larger = {};
-        tool_.tool = EditorTool::Block;
-        return;
+        return setTool(EditorTool::Block);
     case EditorAct::Undo:
     case EditorAct::Redo:
-        button.act == EditorAct::Undo ? document_.undo() : document_.redo();
-        hand_.chosen.clear();
-        return changed();
+        return undo(button.act == EditorAct::Redo);
     case EditorAct::Mirror:
         return change(withMirrorImages(level, chosen), now);
     case EditorAct::Flip:
@@ -267,8 +245,7 @@ void EditorScreen::act(const EditorButton& button, double now) {
         tool_.turn = placing ? (tool_.turn + kTurnStep) % 360000 : tool_.turn;
         return placing ? void() : change(turned(level, chosen, kTurnStep), now);
     case EditorAct::Remove:
-        change(without(level, chosen), now);
-        return hand_.chosen.clear();
+        return remove(now);
     case EditorAct::Map:
         return trials_.map ? trials_.map.reset() : void(trials_.map.emplace(document_.level()));
     case EditorAct::Save:
@@ -290,13 +267,16 @@ EditorScreen::Wish EditorScreen::leave(double now) {
 
 void EditorScreen::takeKey(int key, double now) {
     const auto is = [&](const char* name) { return key == keyNamed(name); };
-    const EditStep nudge = is("left")    ? EditStep{-kSnapGrid, 0}
-                           : is("right") ? EditStep{kSnapGrid, 0}
-                           : is("up")    ? EditStep{0, kSnapGrid}
-                           : is("down")  ? EditStep{0, -kSnapGrid}
-                                         : EditStep{};
-    if (nudge != EditStep{} && !hand_.chosen.empty()) {
-        change(moved(*document_.level(), hand_.chosen, nudge), now);
+    const EditStep way = is("left")    ? EditStep{-kSnapGrid, 0}
+                         : is("right") ? EditStep{kSnapGrid, 0}
+                         : is("up")    ? EditStep{0, kSnapGrid}
+                         : is("down")  ? EditStep{0, -kSnapGrid}
+                                       : EditStep{};
+    if (way != EditStep{} && !hand_.chosen.empty()) {
+        nudge(way, now);
+    }
+    if (is("enter") && !outline_.corners.empty()) {
+        finishGround(now);
     }
     constexpr std::int32_t kMore = 100; // 1/1000 m
     const EditStep larger = is("W")   ? EditStep{kMore, 0}
@@ -323,7 +303,12 @@ EditorScreen::Wish EditorScreen::take(const Signals& signals, double now) {
         hand_.rests = hand_.pointer == signals.pointerNow ? hand_.rests : 0;
         hand_.pointer = signals.pointerNow;
     }
+    hand_.free = signals.shiftHeld;
     for (const Command command : signals.commands) {
+        if (command == Command::Back && !outline_.corners.empty()) {
+            outline_ = {};
+            return Wish::None;
+        }
         if (command == Command::Back) {
             return leave(now);
         }
@@ -345,7 +330,8 @@ EditorScreen::Wish EditorScreen::take(const Signals& signals, double now) {
                                                         : Wish::None;
             }
         }
-        if (layout::kField.contains(hand_.pointer)) {
+        const bool walls = tool_.tool == EditorTool::Ground || chosenGround() != nullptr;
+        if (layout::kField.grown(walls ? 1 : 0).contains(hand_.pointer)) {
             press();
         }
     }

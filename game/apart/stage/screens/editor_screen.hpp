@@ -2,6 +2,7 @@
 #pragma once
 
 #include <apart/core/editor/edit_document.hpp>
+#include <apart/core/editor/ground_edit.hpp>
 #include <apart/core/editor/level_edit.hpp>
 #include <apart/core/editor/trial.hpp>
 #include <apart/core/standing_trial.hpp>
@@ -15,6 +16,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace apart {
@@ -29,15 +31,17 @@ struct EditorStart {
 };
 
 /// What a press of the mouse in the field does.
-enum class EditorTool : std::uint8_t { Select, Block, Ledge, Rope, Pin };
+enum class EditorTool : std::uint8_t { Select, Block, Ledge, Rope, Pin, Ground };
 
-/// A button of the editor. Each has a key.
+/// A button of the editor. Most have a key.
 enum class EditorAct : std::uint8_t {
     Select,
     Ledge,
     Rope,
     Pin,
-    Stuff, // EditorButton::value is one of the enumerators
+    Ground,
+    Turf,  // EditorButton::value is one of the enumerators
+    Stuff, // likewise
     Hold,
     Shape,
     Undo,
@@ -57,6 +61,7 @@ struct EditorButton {
     std::string label;
     std::size_t value = 0;
 };
+int keyOf(const EditorButton& button); // or kNoKey
 
 /// The editor of levels: a field with the level, and buttons beside it.
 class EditorScreen {
@@ -96,13 +101,21 @@ private:
         std::int32_t turn = 0; // 1/1000 degree
         bool flip = false;
         EditStep larger; // than usual
+        Turf turf = Turf::Grass;
     };
     struct Hand {
         Vec2 pointer{-100, -100};    // m
         std::optional<Vec2> pressed; // m, while the button is held
         LevelParts chosen;
         bool drags = false; // the chosen parts
+        bool free = false;  // nothing snaps
         int rests = 0;      // frames since the pointer moved
+    };
+    /// Ground that is drawn, or whose outline is changed.
+    struct Outline {
+        std::vector<GroundPoint> corners{}; // of one that is not finished
+        std::optional<GroundGrip> grip{};   // of the chosen ground
+        bool drags = false;                 // that grip
     };
     struct Trials {
         std::unique_ptr<StandingTrial> standing;
@@ -119,9 +132,25 @@ private:
     void changed();
     void say(std::string sentence, double now);
     void save(double now);
+    void setTool(EditorTool tool);
+    void setTurf(Turf turf, double now);
+    void undo(bool again);
+    void remove(double now);
+    void nudge(EditStep step, double now);
     FreeBlock blockInHand() const;
     /// The way of the dragged parts, or of the block in hand from the origin.
     EditStep step() const;
+
+    // Ground (editor_ground.cpp).
+    const ObstructionDef* chosenGround() const; // the only chosen part; nullptr: it is no ground
+    GroundPoint corner() const;                 // where the pointer puts one
+    bool closes() const;                        // a click ends the outline
+    bool pressGrip();
+    void releaseGrip(Vec2 from, double now);
+    void putCorner(GroundGrip grip, GroundPoint to, double now);
+    void addCorner(double now);
+    void finishGround(double now);
+    void drawGround(Canvas& canvas) const;
 
     // Pictures (editor_painter.cpp).
     void drawPanel(Canvas& canvas) const;
@@ -129,6 +158,7 @@ private:
     void drawHand(Canvas& canvas) const;
     void drawTrials(Canvas& canvas, double now) const;
     std::string forecastText() const;
+    std::string_view hint() const;
     bool isOn(const EditorButton& button) const;
 
     EditorStart start_;
@@ -137,6 +167,7 @@ private:
     std::unique_ptr<Play> play_; // the picture of the level
     Tool tool_;
     Hand hand_;
+    Outline outline_;
     Trials trials_;
     std::string notice_;
     double noticeAt_ = -100; // s
