@@ -36,7 +36,7 @@ bool hasOutline(const Level& level, LevelPart part) {
     return part.of == LevelPart::Of::Obstruction && !level.obstructions[part.index].points.empty();
 }
 
-Vec2 placeOf(const ObstructionDef& ground, GroundGrip grip) {
+Vec2 gripPlace(const ObstructionDef& ground, GroundGrip grip) {
     const Vec2 from = metresOf(ground.points[grip.corner]);
     const Vec2 to = metresOf(ground.points[(grip.corner + 1) % ground.points.size()]);
     return grip.edge ? (from + to) / 2 : from;
@@ -48,7 +48,7 @@ std::optional<GroundGrip> gripAt(const ObstructionDef& ground, Vec2 place) {
         std::optional<GroundGrip> found;
         Real least = kNear;
         for (std::size_t i = 0; i < ground.points.size(); ++i) {
-            const Real way = length(placeOf(ground, {i, edge}) - place);
+            const Real way = length(gripPlace(ground, {i, edge}) - place);
             if (way < least) {
                 least = way;
                 found = GroundGrip{i, edge};

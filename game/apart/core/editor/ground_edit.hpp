@@ -22,7 +22,7 @@ struct GroundGrip {
 };
 
 bool hasOutline(const Level& level, LevelPart part);
-kodo::Vec2 placeOf(const ObstructionDef& ground, GroundGrip grip); // m
+kodo::Vec2 gripPlace(const ObstructionDef& ground, GroundGrip grip); // m
 /// The nearest grip at a place (m); corners before middles of edges.
 std::optional<GroundGrip> gripAt(const ObstructionDef& ground, kodo::Vec2 place);
 /// Where a corner goes that the mouse puts at a place (m): into contact with what is beside it or

@@ -140,9 +140,9 @@ void EditorScreen::drawGround(Canvas& canvas) const {
     for (std::size_t i = 0; i < ground->points.size(); ++i) {
         const GroundGrip corner{i};
         const bool taken = outline_.grip == corner;
-        canvas.disc(placeOf(*ground, corner), taken ? Real(0.2) : Real(0.14),
+        canvas.disc(gripPlace(*ground, corner), taken ? Real(0.2) : Real(0.14),
                     taken ? palette::kText : palette::kAccent, palette::kAccent);
-        canvas.ring(placeOf(*ground, {i, true}), Real(0.1), Real(0.06), palette::kAccent);
+        canvas.ring(gripPlace(*ground, {i, true}), Real(0.1), Real(0.06), palette::kAccent);
     }
     if (outline_.drags) { // the edges as they will be
         const std::size_t from = outline_.grip->corner;
