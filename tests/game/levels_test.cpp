@@ -67,7 +67,7 @@ double shareOfWins(const std::vector<Level>& levels, Theme theme) {
     return won / games;
 }
 
-// 0.7 of the games of the first theme, and 0.1 of the last (lint --difficulty).
+// All games of the first theme, and 0.3 of the last (lint --difficulty).
 TEST(Levels, GetHarder) {
     const std::vector<Level> levels = allLevels();
     const double first = shareOfWins(levels, levels.front().theme);
