@@ -4,7 +4,6 @@
 #include "collide/faces.hpp"
 #include "collide/round.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace kodo {

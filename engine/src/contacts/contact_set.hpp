@@ -16,7 +16,6 @@
 
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "lanes/contact.hpp"

@@ -5,7 +5,6 @@
 #include "contacts/contact_update.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <numeric>
 #include <utility>
 

@@ -2,8 +2,6 @@
 #include "contacts/part_bounds.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <utility>
 
 namespace kodo {

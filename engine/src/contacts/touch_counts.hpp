@@ -5,7 +5,6 @@
 #include "base/worker_team.hpp"
 #include "bodies/bodies.hpp"
 
-#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>

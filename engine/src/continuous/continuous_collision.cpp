@@ -5,12 +5,9 @@
 
 #include "base/prefetch.hpp"
 #include "base/vector_reuse.hpp"
-#include "collide/time_of_impact.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
-#include <utility>
 
 #include "continuous/allowed_approach.hpp"
 #include "continuous/relative_motion.hpp"

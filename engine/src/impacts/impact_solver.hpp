@@ -5,7 +5,6 @@
 #include "bodies/bodies.hpp"
 #include "joints/step_input.hpp"
 
-#include <span>
 #include <utility>
 #include <vector>
 

@@ -3,7 +3,6 @@
 
 #include <kodo/settings.hpp>
 
-#include <array>
 #include <span>
 #include <vector>
 

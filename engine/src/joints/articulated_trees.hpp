@@ -5,7 +5,6 @@
 #include "math/symmetric3.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <span>

@@ -2,8 +2,6 @@
 // Lanes of ContactBlocks as the home of contacts from step to step.
 #include "base/vector_reuse.hpp"
 
-#include <algorithm>
-
 #include "lanes/contact_blocks.hpp"
 
 namespace kodo {

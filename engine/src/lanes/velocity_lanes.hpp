@@ -4,7 +4,6 @@
 #include "bodies/bodies.hpp"
 #include "math/lanes.hpp"
 
-#include <cstddef>
 #include <cstdint>
 
 /// Access of the passes over blocks to the bodies. Internal linkage throughout; lanes.hpp gives the

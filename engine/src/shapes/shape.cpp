@@ -7,9 +7,7 @@
 #include "shapes/outline.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
-#include <type_traits>
 
 namespace kodo {
 inline namespace KODO_PRECISION {

@@ -6,10 +6,8 @@
 #include "contacts/contact_update.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <iterator>
-#include <utility>
 
 namespace kodo {
 inline namespace KODO_PRECISION {

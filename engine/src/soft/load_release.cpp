@@ -2,7 +2,6 @@
 #include "soft/load_release.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <limits>
 

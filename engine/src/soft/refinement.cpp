@@ -2,7 +2,6 @@
 #include "soft/refinement.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 namespace kodo {

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "soft/soft_solver.hpp"
 
-#include "bodies/integrate.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <utility>
 
 namespace kodo {
 inline namespace KODO_PRECISION {

@@ -3,8 +3,6 @@
 
 #include "contacts/contact_update.hpp"
 
-#include <algorithm>
-
 namespace kodo {
 inline namespace KODO_PRECISION {
 

@@ -6,7 +6,6 @@
 #include "world/query_scope.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 #include <tuple>
 

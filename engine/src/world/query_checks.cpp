@@ -4,8 +4,6 @@
 #include "base/checks.hpp"
 #include "bodies/body_checks.hpp"
 
-#include <string>
-
 namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {

@@ -3,7 +3,6 @@
 #include "world/world_impl.hpp"
 
 #include <stdexcept>
-#include <string>
 #include <utility>
 
 namespace kodo {

@@ -4,8 +4,6 @@
 #include "bodies/body_checks.hpp"
 #include "world/world_impl.hpp"
 
-#include <algorithm>
-
 namespace kodo {
 inline namespace KODO_PRECISION {
 

@@ -3,7 +3,6 @@
 
 #include "base/checks.hpp"
 #include "bodies/body_checks.hpp"
-#include "bodies/field_checks.hpp"
 #include "bodies/integrate.hpp"
 #include "world/world_step.hpp"
 
