@@ -24,16 +24,17 @@ inline namespace KODO_PRECISION {
 ///      change) to 0 (no approach).
 ///   4. Optional shock propagation does the same level by level, from the ground up, with all lower
 ///      bodies frozen.
-///   5. Overlaps are separated, and poses change by the new velocities.
+///   5. Overlaps are separated, and poses change by the new velocities. Of an island in which a gap
+///      has closed, the contacts are solved once more: a blow comes whole in its substep.
 ///
 /// Each substep is processed like that. Every pass visits each contact of an island once, in a
 /// StrideOrder of its own. The groups of a CollisionRecord are the impacts and the contacts of each
 /// substep.
 ///
 /// Differences from the thesis: The normal impulses of all passes bound the friction. Separation
-/// works like impulses, so heavy bodies move less and locked bodies not at all. A contact may close
-/// its gap before it stops its bodies. Levels come from the contact graph. Frozen bodies keep their
-/// velocity, so bodies on a moving platform move along.
+/// works like impulses, so heavy bodies move less and locked bodies not at all. A contact lets
+/// its gap close before it stops its bodies. Levels come from the contact graph. Frozen bodies keep
+/// their velocity, so bodies on a moving platform move along.
 ///
 /// Limit of frozen bodies: a leaning pile under shock propagation does not tip over as a whole
 /// while each single body is stable.
@@ -87,6 +88,7 @@ private:
     void separate(Bodies& bodies, const StepInput& step, Real h);
     RowMasses frozenMasses(const Bodies& bodies, const PropagationRow& row) const;
     void markExposure(const Bodies& bodies, const JointLists& joints, Real h, Real slop);
+    bool findArrivals(const Bodies& bodies, Real h);
     void relax(Bodies& bodies, JointSet& joints, JointPass pass,
                const PropagationSettings& settings);
     void store(ContactStore& contacts);

@@ -4,7 +4,6 @@
 #include "math/friction.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace kodo {
 inline namespace KODO_PRECISION {

@@ -35,7 +35,7 @@ struct PropagationRow {
     Real rollingLever;   // m; 0 without rolling resistance
     Real rolling;        // N m s, sum so far
     std::uint32_t level; // the higher level of its bodies; see ShockLevels
-    bool held;           // a joint holds one of its bodies, see isJointed()
+    bool again;          // solved after the displacements: a joint holds a body, or one arrives
 
     Real load() const; // N s, normal impulse of all passes and both points
 };
