@@ -19,9 +19,6 @@ namespace {
 // touching. Its impulse may be a remnant of an underflowed speed, which other length units would
 // round to zero.
 constexpr Real kLeastHold = Real(1e-9);
-// A row has stopped what it braked by this share of the way at least. A corner that just reaches a
-// face comes the next time.
-constexpr Real kArrives = Real(1e-4);
 // Passes over the contacts of joints and arrivals, after the displacements.
 constexpr int kRelaxPasses = 4;
 // Passes over the displacements that close joints. With two, a chain of 21 over a peg opens by 0.24
@@ -310,40 +307,6 @@ void Propagation::markExposure(const Bodies& bodies, const JointLists& joints, R
             exposure_[row.a] = exposure_[row.b] = ContactExposure::Touched;
         }
     }
-}
-
-/// After the displacements: a point with an impulse has closed its gap, so its blow comes now, and
-/// not with the next substep of h (s). True if there is one. An approach that the forces of a
-/// substep cause belongs to contacts at rest. Where joints pull too, four passes would leave them
-/// open, and a ball on a chain gained energy from a tower.
-bool Propagation::findArrivals(const Bodies& bodies, Real h) {
-    bool any = false;
-    std::uint32_t first = 0;
-    for (const std::uint32_t end : rowEnds_) {
-        const auto rows = std::span(rows_).subspan(first, end - first);
-        const bool held =
-            std::any_of(rows.begin(), rows.end(), [](auto& row) { return row.again; });
-        bool arrived = false;
-        for (PropagationRow& row : held ? rows.first(0) : rows) {
-            const RowMasses masses = massesOf(bodies, row);
-            const Real forced = h * h *
-                                std::max(length(bodies.acceleration[row.a].linear),
-                                         length(bodies.acceleration[row.b].linear));
-            for (std::size_t i = 0; i < row.count; ++i) {
-                PropagationRow::Point& p = row.points[i];
-                const Real braked = h * row.impulse[i] * masses.response(p.leverA, p.leverB); // m
-                const bool now = p.gap > forced && braked > kArrives * p.gap;
-                p.gap = now ? 0 : p.gap;
-                arrived = arrived || now;
-            }
-        }
-        for (PropagationRow& row : rows) {
-            row.again = row.again || arrived;
-        }
-        any = any || arrived;
-        first = end;
-    }
-    return any;
 }
 
 /// After the displacements: what has arrived stops, and the velocity that the errors of trees and
