@@ -134,6 +134,7 @@ sed -e 's/^seed 7$/seed 8/' -e 's/^digest .*/x/' -e '/^x$/d' -e 's/^rules/handwr
     a.replay >other.replay
 expect 1 'tick 60 is the first whose hash differs' "$program" verify other.replay
 expect 1 '^other.replay: the game diverges: tick 60 is the first' "$program" replay other.replay
+cp "$replays/levels/keystones_caught.toml" levels/
 sed 's/^expect 600   lives .*/expect 600 lives == 1/' "$replays/keystone_caught.replay" >unmet.replay
 expect 1 '^unmet.replay:[0-9]+: expect 600 lives == 1, but lives is 8$' "$program" replay unmet.replay
 expect 1 '^unmet.replay:[0-9]+: expect 600 lives == 1, but lives is 8$' "$program" verify unmet.replay
