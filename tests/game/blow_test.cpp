@@ -229,6 +229,11 @@ TEST(Score, IsNotMadeBeforeTheFirstServe) {
     breakBlocks(game, 2);
     EXPECT_EQ(game.score(), 0);
     EXPECT_EQ(game.blocksLeft(), game.blocksAtStart() - 2);
+    // Regression: a level whose blocks all fell before the serve paid for its balls.
+    breakBlocks(game, static_cast<int>(game.blocksLeft()));
+    playOn(game, 120);
+    ASSERT_EQ(game.result(), Result::Won);
+    EXPECT_EQ(game.score(), 0);
 }
 
 TEST(Bot, TheAbsentPlayerHoldsEachForceWithEachAimAndNeverMoves) {

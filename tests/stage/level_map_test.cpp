@@ -137,6 +137,25 @@ TEST(LevelMap, ShowsThemeTitleIdeaBestScoresAndProgress) {
     EXPECT_TRUE(assisted.says("1 of 11 cleared, 0 points by assisted rules"));
 }
 
+// Regression: a level of one block that a player had written counted as a medal of the game.
+TEST(LevelMap, MedalsAtTheTopAreThoseOfTheGame) {
+    for (const std::size_t own : {std::size_t{8}, std::size_t{11}}) {
+        LevelMap map(elevenLevels(), {.own = own});
+        Records records({}, {}, {}, {});
+        for (int i = 0; i < 11; ++i) {
+            records.enter({{Mode::Standard, "level_" + std::to_string(i)}, {100, true}, {}});
+        }
+        map.update(records);
+        RecordingCanvas canvas;
+        canvas.begin({{-16, 0}, {16, 20}}, {});
+        map.draw(canvas, records, 0);
+        const auto& strokes = canvas.strokes();
+        EXPECT_TRUE(std::any_of(strokes.begin(), strokes.end(), [&](const Stroke& stroke) {
+            return stroke.place.y > Real(16.7) && stroke.text == std::to_string(own);
+        })) << own;
+    }
+}
+
 TEST(LevelMap, NamesTheHonourUnderThePointer) {
     LevelMap map(elevenLevels());
     const Records records({}, {}, {}, {});

@@ -321,13 +321,14 @@ void LevelMap::drawNames(Canvas& canvas, std::size_t index, const Records& recor
 
 void LevelMap::drawHead(Canvas& canvas, const Records& records) const {
     const Mode mode = records.profile().mode;
-    const std::string name(kModeNames[static_cast<std::size_t>(mode)]);
-    const std::string head = duel_ ? "Duel" : "Map";
-    canvas.text(mode == Mode::Standard ? head : head + " (" + name + ")", {Real(-14.6), Real(16.6)},
+    const std::string_view name = kModeNames[static_cast<std::size_t>(mode)];
+    const std::string by = mode == Mode::Standard ? "" : fmt::format(" ({})", name);
+    canvas.text((duel_ ? "Duel" : "Map") + by, {Real(-14.6), Real(16.6)},
                 {Real(1.2), palette::kText, Typeface::Display});
     std::array<int, kMedalNames.size()> counts{};
-    for (const auto& level : levels_) {
-        ++counts[static_cast<std::size_t>(medalsOf(*level, records.profile(), records.marks()))];
+    for (std::size_t i = 0; i < levels_.size() && !bands_[bandOf(i)].own; ++i) {
+        const int medals = medalsOf(*levels_[i], records.profile(), records.marks());
+        ++counts[static_cast<std::size_t>(medals)];
     }
     for (std::size_t i = 1; i < counts.size(); ++i) {
         const Real x = Real(-1.6) + Real(1.9) * static_cast<Real>(i - 1);
