@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <apart/stage/canvas/angle.hpp>
 #include <apart/stage/canvas/palette.hpp>
 #include <apart/stage/canvas/theme_look.hpp>
 #include <apart/stage/painters/hud.hpp>
