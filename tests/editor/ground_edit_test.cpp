@@ -63,7 +63,7 @@ TEST(GroundEdit, CornersAreMovedAddedAndRemoved) {
 // A triangle whose tip is dragged through its base would else have its turf below.
 TEST(GroundEdit, AnOutlineThatIsTurnedOverStaysCounterClockwise) {
     Level level = withGround(newLevel("tip"), {{0, 5000}, {4000, 5000}, {2000, 7000}}, Turf::Grass);
-    level = withCorner(std::move(level), last(level), {2}, {2000, 3500});
+    level = withCorner(level, last(level), {2}, {2000, 3500});
     EXPECT_EQ(level.obstructions[last(level)].points,
               (Corners{{2000, 3500}, {4000, 5000}, {0, 5000}}));
 }
