@@ -126,7 +126,7 @@ std::array<std::int32_t, 2> pureBlows(std::int16_t way) {
     return {served, game.counts().bestBlow};
 }
 
-// Regression: a player who never moved won gold under pure rules, where no ball is hollow.
+// Regression: a paddle at rest won gold under pure rules, where no ball is hollow.
 TEST(Blow, UnderPureRulesAsksForAPaddleThatHasMovedToo) {
     EXPECT_EQ(pureBlows(0), (std::array<std::int32_t, 2>{0, 0}));
     EXPECT_EQ(pureBlows(200), (std::array<std::int32_t, 2>{0, 0}));
