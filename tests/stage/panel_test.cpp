@@ -28,6 +28,27 @@ TEST(Panel, HasAFilledDotForEachBall) {
     EXPECT_EQ(inRow(Stroke::Kind::Ring), 0);
 }
 
+// Regression: of nine balls eight were shown, the last one over the edge.
+TEST(Panel, AllBallsFitIntoIt) {
+    StageDef def = StageRig::playing();
+    Level level = *def.levels[0];
+    level.lives = 9;
+    def.levels[0] = std::make_shared<const Level>(level);
+    StageRig rig(std::move(def));
+    ASSERT_EQ(rig.stage.session().game().lives(), 9);
+    std::vector<Real> places;
+    for (const Stroke& stroke : rig.picture().strokes()) {
+        if (stroke.kind == Stroke::Kind::Disc && stroke.place.y == Real(10.1)) {
+            places.push_back(stroke.place.x);
+        }
+    }
+    ASSERT_EQ(places.size(), 9u);
+    for (std::size_t i = 1; i < places.size(); ++i) {
+        EXPECT_GT(places[i] - places[i - 1], 2 * Real(0.2)) << "they overlap";
+    }
+    EXPECT_LT(places.back() + Real(0.2), layout::kPanelRight);
+}
+
 TEST(Panel, TellsTimeNextMedalAndHonours) {
     StageDef def = StageRig::playing();
     MedalMarks marks{def.levels[0]->name, digestOf(*def.levels[0]), {100, 2000, 30000}};
@@ -106,12 +127,14 @@ TEST(Panel, OfALostGameAgreesWithItsResult) {
 }
 
 TEST(Results, NamesOfHonoursAreLitIfTheyAreWon) {
-    StageRig rig(StageRig::playing());
+    StageDef def = StageRig::playing();
+    def.marks = {{def.levels[0]->name, 0, {10, 20, 9999999}, 99, 7}};
+    StageRig rig(std::move(def));
     playToTheEnd(rig);
     ASSERT_EQ(rig.stage.session().game().result(), Result::Won);
     const RecordingCanvas& canvas = rig.picture();
     EXPECT_EQ(colorOf(canvas, "cleared", false), palette::kAccent);
-    EXPECT_EQ(colorOf(canvas, "8 in one combo", false), palette::kQuiet);
+    EXPECT_EQ(colorOf(canvas, "a fall of 7", false), palette::kQuiet);
 }
 
 // Regression: it was ENDLESS 1 there.

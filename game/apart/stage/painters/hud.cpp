@@ -77,9 +77,12 @@ void paintScore(Canvas& canvas, const Game& game, const HudLook& look) {
 /// Paints the hits, and the balls: the one in play first and larger, then those in reserve.
 void paintLives(Canvas& canvas, const Game& game) {
     paintPair(canvas, "BALLS", countText(game.counts().hits, "hit"), Real(10.7));
-    const int shown = std::min<int>(game.lives(), 8);
+    constexpr Real kEdge = Real(0.28); // m, from the edge of the panel to the middle of a ball
+    constexpr Real kWay = kPanelRight - kPanelLeft - 2 * kEdge;
+    const int shown = std::min<int>(game.lives(), 12);
+    const Real step = std::min(Real(0.62), kWay / static_cast<Real>(std::max(shown - 1, 1)));
     for (int i = 0; i < shown; ++i) {
-        const Vec2 center{kPanelLeft + Real(0.28) + Real(0.62) * static_cast<Real>(i), Real(10.1)};
+        const Vec2 center{kPanelLeft + kEdge + step * static_cast<Real>(i), Real(10.1)};
         canvas.disc(center, i > 0 ? Real(0.2) : Real(0.26), palette::kBall,
                     darker(palette::kBall, 0.2f));
     }
