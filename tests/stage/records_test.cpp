@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "stage_rig.hpp"
 
 namespace apart {
@@ -205,7 +207,7 @@ TEST(Honours, ThoseOfALevelDependOnItsMarks) {
 
 TEST(Honours, ALevelWithABlockToKeepOffersIt) {
     Level level = *glassLevel("One block", {7});
-    EXPECT_EQ(honourNames(level, nullptr).size(), 3u);
+    EXPECT_EQ(honourNames(level, nullptr).size(), 2u);
     level.keep = 0;
     level.keepName = "bell";
     EXPECT_EQ(honourNames(level, nullptr).back(), "keep the bell");
@@ -220,11 +222,31 @@ TEST(Honours, ALevelWithABlockToKeepOffersIt) {
     EXPECT_TRUE(statistics.bestOf(game).kept);
 }
 
+// Regression: a level of one block asked for eight in one fall.
+TEST(Honours, AChainIsOfferedWhereItCanBe) {
+    Level level = *glassLevel("Seven blocks", {1, 2, 3, 4, 5, 6, 7});
+    const auto offered = [&] {
+        const std::vector<std::string> names = honourNames(level, nullptr);
+        const auto chains = std::count(names.begin(), names.end(), "8 in one combo or fall");
+        EXPECT_EQ(usualHonours(level), 2u + static_cast<std::size_t>(chains));
+        EXPECT_EQ(honoursWon({{}, level, nullptr}).size(), names.size());
+        return chains == 1;
+    };
+    EXPECT_FALSE(offered());
+    BlockKind steel = level.kinds[0];
+    steel.stuff = Stuff::Steel;
+    level.kinds.push_back(steel);
+    level.freeBlocks.push_back({.kind = 1, .x = 0, .y = 9000, .width = 1600, .height = 800});
+    EXPECT_FALSE(offered()) << "steel does not count";
+    level.freeBlocks.push_back({.kind = 0, .x = 2000, .y = 9000, .width = 1600, .height = 800});
+    EXPECT_TRUE(offered());
+}
+
 TEST(Honours, ALevelWithWaysOffersThemAndTheProfileAddsThemUp) {
     Level level = *glassLevel("One block", {7});
     level.ways = {{"by bank", "", true}, {"head on", "g", false}};
     EXPECT_EQ(honourNames(level, nullptr).back(), "head on");
-    EXPECT_EQ(honourNames(level, nullptr).size(), 5u);
+    EXPECT_EQ(honourNames(level, nullptr).size(), 4u);
     Profile profile;
     Best best;
     best.ways = 1;

@@ -81,7 +81,7 @@ void paintHonourNames(Canvas& canvas, const AboutLook& look, Vec2 place) {
     const std::vector<std::string> names =
         honourNames(level, marksFor(level.name, look.records.marks()));
     std::string text;
-    for (std::size_t i = kUsualHonours; i < names.size(); ++i) {
+    for (std::size_t i = usualHonours(level); i < names.size(); ++i) {
         text += (text.empty() ? "" : ", ") + names[i];
     }
     const Real step = honourStep(names.size());

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <utility>
 
 namespace apart {
 
@@ -43,8 +45,9 @@ void paintScoreLines(Canvas& canvas, const ResultsLook& look) {
         line("left", countText(look.game.lives(), "ball"), run.points.lives);
         const std::int32_t blow = look.game.counts().bestBlow;
         line("prize",
-             fmt::format("best blow: {}, {} left", countText(blow, "block"),
-                         look.game.blocksAtStart() - blow),
+             blow > 0 ? fmt::format("best blow: {}, {} left", countText(blow, "block"),
+                                    look.game.blocksAtStart() - blow)
+                      : "no block fell by a blow",
              run.points.prize);
     }
     if (run.points.spared > 0) {
@@ -137,6 +140,47 @@ void paintKept(Canvas& canvas, Vec2 middle, Real size, Color color) {
     canvas.disc(middle + size * Vec2{0, Real(-0.68)}, Real(0.24) * size, color, color);
 }
 
+/// True if so many blocks are to be cleared as one combo or fall must have.
+bool offersChain(const Level& level) {
+    const auto counts = [&](const auto& block) { return level.kinds[block.kind].breakable(); };
+    const auto count = std::count_if(level.cells.begin(), level.cells.end(), counts) +
+                       std::count_if(level.freeBlocks.begin(), level.freeBlocks.end(), counts);
+    return count >= kMostCombo;
+}
+
+struct Honour {
+    std::string name;
+    bool won = false;
+    std::function<void(Canvas&, Vec2 middle, Real size, Color)> paint; // its sign
+};
+
+/// The honours that a level and its marks offer, the usual ones first.
+std::vector<Honour> honoursOf(const HonoursLook& look) {
+    const auto& [best, level, marks] = look;
+    std::vector<Honour> all = {{"cleared", best.cleared, &paintCleared},
+                               {"no ball lost", best.unhurt, &paintUnhurt}};
+    if (offersChain(level)) {
+        all.push_back(
+            {fmt::format("{} in one combo or fall", kMostCombo), best.chain, &paintChain});
+    }
+    if (marks != nullptr && marks->fewHits > 0) {
+        all.push_back({countText(marks->fewHits, "hit") + " at most", best.fewHits, &paintFewHits});
+    }
+    if (marks != nullptr && marks->oneFall > 0) {
+        all.push_back({fmt::format("a fall of {}", marks->oneFall), best.oneFall, &paintOneFall});
+    }
+    if (level.keep >= 0) {
+        all.push_back({"keep the " + level.keepName, best.kept, &paintKept});
+    }
+    for (std::size_t i = 0; i < level.ways.size(); ++i) {
+        all.push_back({level.ways[i].name, isWayIn(best.ways, i),
+                       [first = i == 0](Canvas& canvas, Vec2 middle, Real size, Color color) {
+                           paintWay(canvas, middle, size, color, first);
+                       }});
+    }
+    return all;
+}
+
 } // namespace
 
 void paintMedal(Canvas& canvas, Vec2 middle, Real size, Medal medal) {
@@ -154,63 +198,30 @@ void paintMedal(Canvas& canvas, Vec2 middle, Real size, Medal medal) {
 }
 
 std::vector<std::string> honourNames(const Level& level, const MedalMarks* marks) {
-    std::vector<std::string> names = {"cleared", "no ball lost", "8 in one combo or fall"};
-    if (marks != nullptr && marks->fewHits > 0) {
-        names.push_back(countText(marks->fewHits, "hit") + " at most");
-    }
-    if (marks != nullptr && marks->oneFall > 0) {
-        names.push_back(fmt::format("a fall of {}", marks->oneFall));
-    }
-    if (level.keep >= 0) {
-        names.push_back("keep the " + level.keepName);
-    }
-    for (const WayDef& way : level.ways) {
-        names.push_back(way.name);
+    std::vector<std::string> names;
+    for (Honour& honour : honoursOf({{}, level, marks})) {
+        names.push_back(std::move(honour.name));
     }
     return names;
 }
 
+std::size_t usualHonours(const Level& level) {
+    return offersChain(level) ? 3 : 2;
+}
+
 std::vector<bool> honoursWon(const HonoursLook& look) {
-    const auto& [best, level, marks] = look;
-    std::vector<bool> won = {best.cleared, best.unhurt, best.chain};
-    if (marks != nullptr && marks->fewHits > 0) {
-        won.push_back(best.fewHits);
-    }
-    if (marks != nullptr && marks->oneFall > 0) {
-        won.push_back(best.oneFall);
-    }
-    if (level.keep >= 0) {
-        won.push_back(best.kept);
-    }
-    for (std::size_t i = 0; i < level.ways.size(); ++i) {
-        won.push_back(isWayIn(best.ways, i));
+    std::vector<bool> won;
+    for (const Honour& honour : honoursOf(look)) {
+        won.push_back(honour.won);
     }
     return won;
 }
 
 void paintHonours(Canvas& canvas, Vec2 place, Vec2 step, Real size, const HonoursLook& look) {
-    const auto& [best, level, marks] = look;
-    const std::vector<bool> won = honoursWon(look);
-    std::size_t painted = 0;
-    auto paint = [&, at = place](auto painter) mutable {
-        const Color color = won[painted++] ? palette::kAccent : faded(palette::kQuiet, 0.35f);
-        painter(canvas, at, size, color);
-        at += step;
-    };
-    paint(&paintCleared);
-    paint(&paintUnhurt);
-    paint(&paintChain);
-    if (marks != nullptr && marks->fewHits > 0) {
-        paint(&paintFewHits);
-    }
-    if (marks != nullptr && marks->oneFall > 0) {
-        paint(&paintOneFall);
-    }
-    if (level.keep >= 0) {
-        paint(&paintKept);
-    }
-    for (std::size_t i = 0; i < level.ways.size(); ++i) {
-        paint([i](auto&&... all) { paintWay(all..., i == 0); });
+    for (const Honour& honour : honoursOf(look)) {
+        const Color color = honour.won ? palette::kAccent : faded(palette::kQuiet, 0.35f);
+        honour.paint(canvas, place, size, color);
+        place += step;
     }
 }
 

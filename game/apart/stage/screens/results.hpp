@@ -27,10 +27,11 @@ struct HonoursLook {
     const MedalMarks* marks; // nullptr: none
 };
 
-/// Paints the honours of a level, `step` apart: three, and those that it and its marks offer.
-/// Those that are not won are dim.
+/// Paints the honours that a level and its marks offer, `step` apart. Those that are not won are
+/// dim.
 void paintHonours(Canvas& canvas, Vec2 place, Vec2 step, Real size, const HonoursLook& look);
-inline constexpr std::size_t kUsualHonours = 3; // each level has them
+/// Number of the first ones that most levels have: three; in one of too few blocks for a chain two.
+std::size_t usualHonours(const Level& level);
 /// Names of the honours, the usual ones first.
 std::vector<std::string> honourNames(const Level& level, const MedalMarks* marks);
 /// Which of these honours are won, in the same order.
