@@ -56,6 +56,12 @@ std::string fallText(int blocks) {
     return count + " in one fall" + (blocks >= kGreatFall ? "!" : "");
 }
 
+/// What a wait brings soon. A block that stands or hangs has no mount.
+std::string soonText(const Block& next) {
+    const bool mounted = next.support == Support::Mounted || next.support == Support::Boss;
+    return mounted ? "the mounts give way soon" : "blocks fall by themselves soon";
+}
+
 Burst blastOf(Vec2 point, Color color, int count, Real speed) {
     return {point, {}, color, count, speed, Real(0.6), Real(0.09)};
 }
@@ -222,13 +228,16 @@ void Juice::onEvent(const Game& game, const PatienceChanged& change) {
         return; // with a hollow ball all mounts hold
     }
     const Block* next = game.state().nextToFall();
-    if (change.patience == Patience::Glowing && next != nullptr) {
+    if (next == nullptr) {
+        return;
+    }
+    if (change.patience == Patience::Glowing) {
         const kodo::BodyView body = game.world()[next->body];
         const Vec2 middle = body.massFrame() * body.part(next->part).convex.middle;
         say(game, {"pull now", middle - Vec2{0, Real(2.1)}, palette::kAccent, Real(0.45)});
     }
     if (change.patience == Patience::Shaking) {
-        say(game, {"the mounts give way soon", {0, 5}, palette::kAccent, Real(0.6)});
+        say(game, {soonText(*next), {0, 5}, palette::kAccent, Real(0.6)});
     }
 }
 

@@ -30,9 +30,15 @@ Real scaleOf(const Moment& moment, Vec2 middle) {
     return t >= 1 || moment.game.ticks() > 240 ? 1 : swung(t);
 }
 
+/// The stage of a long time without damage. With a hollow ball nothing falls by it.
+Patience patienceOf(const Moment& moment) {
+    const GameState& state = moment.game.state();
+    return state.armed() ? state.patience() : Patience::Calm;
+}
+
 /// Brightness of a breakable block after a long time without damage.
 Real glowOf(const Moment& moment, const Block& block) {
-    if (moment.game.state().patience() == Patience::Calm || !block.kind.breakable()) {
+    if (patienceOf(moment) == Patience::Calm || !block.kind.breakable()) {
         return 0;
     }
     return Real(0.5) + Real(0.5) * std::sin(Real(0.06) * moment.time());
@@ -42,7 +48,7 @@ Real glowOf(const Moment& moment, const Block& block) {
 /// fall", and with the progress of tearing.
 Vec2 shakeOf(const Moment& moment, const Block& block) {
     const Block* next = moment.game.state().nextToFall();
-    const Patience patience = moment.game.state().patience();
+    const Patience patience = patienceOf(moment);
     if (patience == Patience::Calm || next == nullptr || next->key != block.key) {
         return {};
     }
