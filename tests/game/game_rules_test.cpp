@@ -290,7 +290,7 @@ TEST(Lives, EndTheGameWhenNoneIsLeft) {
 
 TEST(Lives, AreWorthPointsWhenTheLastBlockBreaks) {
     Game game(levelOf(emptyRows(5) + ".......g.......\n" + emptyRows(2) + "X..............\n"), 1);
-    GameTestAccess::countHit(game);
+    GameTestAccess::beginBlow(game);
     GameTestAccess::shoot(game, {0, kUnderside - Real(0.6)}, {0, 12});
     const auto cleared = playUntil<Cleared>(game, {}, 30);
     ASSERT_TRUE(cleared);

@@ -29,7 +29,7 @@ constexpr int kAttempts = 3;              // to find a block in sight
 constexpr Real kTriedSeconds = 3;         // without damage; then luck may help
 constexpr int kShots = 8;                 // tested on each side of the paddle's middle
 constexpr Real kLeapSeconds = Real(0.05); // before the ball arrives
-constexpr Real kNudgeSeconds = Real(0.2); // likewise; until then a paddle goes to and fro
+constexpr Real kNudgeSeconds = Real(0.2); // likewise; until then it is away from the serve
 constexpr Real kNudge = Real(0.7);        // m
 
 Real meetingHeight(Real offset) {
@@ -382,7 +382,9 @@ Input bot(const Game& game, BotKind kind) {
         input.launch = input.launch || first.seconds < kLeapSeconds;
     }
     if (game.state().paddle.moved <= kMovedWay && first.seconds > kNudgeSeconds) {
-        place += kNudge; // and back: a hollow ball is filled by a paddle that has moved
+        // Towards the middle: a hollow ball is filled by a paddle that has moved.
+        place =
+            game.state().paddle.servedFrom - std::copysign(kNudge, game.state().paddle.servedFrom);
     }
     const Real most = kFieldWidth / 2;
     input.target = static_cast<std::int16_t>(std::clamp(place, -most, most) * 1000);

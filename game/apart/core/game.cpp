@@ -27,10 +27,10 @@ void conclude(GameState& game) {
         landAll(game);
         endCollapse(game);
         game.result = Result::Won;
-        const bool served = game.counts.hits > 0; // before, nothing scores
-        const Cleared won{.lives = served ? game.counts.lives * kLifePoints : 0,
+        const bool earned = game.counts.bestBlow > 0; // what falls by itself pays nothing
+        const Cleared won{.lives = earned ? game.counts.lives * kLifePoints : 0,
                           .prize = game.counts.prize(),
-                          .spared = served && game.keeps() ? kSparedPoints : 0};
+                          .spared = earned && game.keeps() ? kSparedPoints : 0};
         game.counts.score += won.lives + won.prize + won.spared;
         game.events.emplace_back(won);
     } else if (game.balls.empty() && !game.counts.isDown()) {

@@ -126,6 +126,7 @@ std::uint64_t GameState::hash() const {
     add(sum, boss.body);
     sum.add(boss.way);
     add(sum, paddle.serveHeading);
+    sum.add(paddle.servedFrom);
     sum.add(paddle.moved);
     add(sum, paddle.welds);
     add(sum, blocks);

@@ -107,6 +107,7 @@ void serve(GameState& game) {
                 body.setMass(kHollowShare * body.mass());
             }
             body.setVelocity(game.ballSpeed() * game.paddle.serveHeading);
+            game.paddle.servedFrom = game.world[game.paddle.body].position().x;
             game.paddle.moved = 0;
             game.counts.hit(game.tick, game.beginsBlow(ball));
             game.events.emplace_back(Served{ball.body, body.position(), game.paddle.serveHeading});
@@ -134,7 +135,8 @@ void steer(GameState& game, const Input& input) {
     const Real roomLeft = std::min(left - bounds.lower.x, Real(0));
     const Real roomRight = std::max(right - bounds.upper.x, Real(0));
     const Real way = std::clamp(game.paddle.speed * kTickSeconds, roomLeft, roomRight);
-    game.paddle.moved += std::abs(way);
+    game.paddle.moved =
+        std::max(game.paddle.moved, std::abs(position.x + way - game.paddle.servedFrom));
     game.paddle.speed = way / kTickSeconds;
 
     const kodo::Transform target{{position.x + way, kPaddleY + game.paddle.sway.lift},

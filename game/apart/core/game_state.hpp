@@ -63,8 +63,9 @@ struct PaddleField {
 
 struct Paddle {
     kodo::BodyId body;
-    kodo::Real speed = 0; // m/s
-    kodo::Real moved = 0; // m, way since the last serve
+    kodo::Real speed = 0;      // m/s
+    kodo::Real servedFrom = 0; // m, x at the last serve
+    kodo::Real moved = 0;      // m, farthest from there since
     Sway sway;
     std::vector<Weld> welds;       // by part of the body, from part 1
     kodo::Vec2 serveHeading{0, 1}; // unit; of the next serve

@@ -12,7 +12,7 @@ namespace apart {
 using kodo::Real;
 
 // To be raised whenever the same inputs give another game. Older replays are then refused.
-inline constexpr std::uint32_t kRulesVersion = 38;
+inline constexpr std::uint32_t kRulesVersion = 39;
 
 inline constexpr int kTicksPerSecond = 120;
 inline constexpr Real kTickSeconds = Real(1) / 120;
@@ -43,7 +43,7 @@ inline constexpr int kEggFacets = 20;
 // blocks, but breaks none, makes no blow, and no mount fails or is torn: launching alone clears
 // nothing.
 inline constexpr Real kHollowShare = Real(1) / 16; // of the mass
-inline constexpr Real kMovedWay = 2 * kBallRadius; // m in all; then the paddle has moved
+inline constexpr Real kMovedWay = 2 * kBallRadius; // m from the serve; then it has moved
 inline constexpr Real kMostSpin = 25;              // rad/s; limit applied by the governor
 inline constexpr Real kLostDepth = Real(0.7);      // below the field; deeper balls are lost
 inline constexpr std::size_t kMostBalls = 8;       // further balls of a split become shards
