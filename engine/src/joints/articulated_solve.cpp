@@ -241,27 +241,25 @@ void ArticulatedTrees::solveLinear(std::span<Tree* const> trees) {
 }
 
 /// Angular velocity (rad/s) of the tree as a whole about its anchor, or about its centre of mass:
-/// its angular momentum over its moment of inertia.
+/// its angular momentum over its moment of inertia. The velocity of the centre of mass adds nothing
+/// to the momentum about it.
 Real ArticulatedTrees::spinOf(const Bodies& bodies, const Tree& tree) {
     const std::span<const Member> members = membersOf(tree);
     const auto placeOf = [&](const Member& member) {
         return bodies.pose[member.body].position + bodies.motion[member.body].deltaPosition;
     };
     Vec2 center{};
-    Vec2 velocity{};
     if (tree.anchored) {
         const Node& root = nodesOf(tree).front();
         center = placeOf(members_[root.child]) + (root.childIsB ? root.rows.armB : root.rows.armA);
     } else {
         Real mass = 0;
         for (const Member& member : members) {
-            const BodyVelocity& motion = bodies.motion[member.body];
-            mass += 1 / motion.invMass;
-            center += placeOf(member) / motion.invMass;
-            velocity += motion.velocity / motion.invMass;
+            const Real invMass = bodies.motion[member.body].invMass;
+            mass += 1 / invMass;
+            center += placeOf(member) / invMass;
         }
         center = center / mass;
-        velocity = velocity / mass;
     }
     Real momentum = 0;
     Real inertia = 0;
@@ -269,8 +267,7 @@ Real ArticulatedTrees::spinOf(const Bodies& bodies, const Tree& tree) {
         const BodyVelocity& motion = bodies.motion[member.body];
         const Vec2 arm = placeOf(member) - center;
         const Real own = motion.invInertia > 0 ? 1 / motion.invInertia : 0;
-        momentum +=
-            cross(arm, motion.velocity - velocity) / motion.invMass + own * motion.angularVelocity;
+        momentum += cross(arm, motion.velocity) / motion.invMass + own * motion.angularVelocity;
         inertia += lengthSquared(arm) / motion.invMass + own;
     }
     return inertia > 0 ? momentum / inertia : 0;
