@@ -152,5 +152,39 @@ TEST(DistanceJoint, IsFiniteIfItsAnchorsCoincide) {
     EXPECT_TRUE(near(length(rig.world[bob].position()), 1, Real(1e-3)));
 }
 
+// Two ropes hold a plate with a box of 300 times its density on a light one. The solver divides the
+// substeps for that pile, and the impulses of the ropes with them; each step starts with those of
+// the step before. Halved once a step, they let the pile fall through the plate.
+TEST(DistanceJoint, RopesHoldAHeavyBoxOnALightOne) {
+    for (const StepSettings& settings : {balanced(), accurate()}) {
+        for (const Real rate : {Real(30), Real(60), Real(120)}) {
+            SCOPED_TRACE(rate);
+            Rig rig(support::kEarth, settings);
+            const BodyId plate = rig.world.add({.shape = Box{2, Real(0.2)}, .position = {0, -3}});
+            std::vector<JointId> ropes;
+            for (const Real x : {Real(-1), Real(1)}) {
+                ropes.push_back(rig.world.add(DistanceJoint{
+                    .ends = {.a = rig.post, .b = plate, .anchorA = {x, 0}, .anchorB = {x, 0}},
+                    .limits = Range{0, 3}}));
+            }
+            double weight = rig.weightOf(plate);
+            for (const bool heavy : {false, true}) {
+                const BodyId box = rig.world.add({.shape = Box{1, Real(0.5)},
+                                                  .position = {0, Real(heavy ? -2.15 : -2.65)},
+                                                  .density = Real(heavy ? 300 : 1),
+                                                  .flags = kNeverSleep});
+                weight += rig.weightOf(box);
+            }
+            run(rig.world, static_cast<int>(2 * rate), 1 / rate);
+            for (int step = 0; step < static_cast<int>(rate); ++step) {
+                rig.world.step(1 / rate);
+                const double force = static_cast<double>(rig.world.jointForce(ropes[0]).y +
+                                                         rig.world.jointForce(ropes[1]).y);
+                ASSERT_TRUE(nearShare(force, weight, 0.01)) << step; // what is left of the landing
+            }
+        }
+    }
+}
+
 } // namespace
 } // namespace kodo

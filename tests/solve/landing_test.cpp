@@ -191,5 +191,42 @@ TEST(Landing, SeamsTakeNoWayFromASlidingBody) {
     }
 }
 
+// A plank slides on its leading end over tiles without friction, until its rear end comes down. Its
+// speed stays, and the blow stops it for the rest of one step: for half a step on the mean. The
+// bound is twice that. If the side faces of the tiles stopped it too, it would lose the way of 1.1
+// to 2.5 steps at 30 Hz.
+TEST(Landing, SideFacesOfTilesTakeNoWayFromAPlankThatTipsOver) {
+    for (const Ground ground : {Ground::Tiles, Ground::UnevenTiles}) {
+        for (const StepSettings& settings : {balanced(), accurate()}) {
+            for (const Real rate : support::variants({Real(30), Real(60)})) {
+                Real lost = 0; // steps
+                int planks = 0;
+                for (const Real width : {Real(1), Real(2), Real(3)}) {
+                    for (const Real angle : {Real(-0.1), Real(-0.15), Real(-0.2)}) {
+                        for (const Real speed : {Real(3), Real(6), Real(10), Real(20)}) {
+                            World world({.gravity = support::kEarth, .settings = settings});
+                            addGround(world, ground);
+                            const Real height =
+                                width / 2 * std::sin(-angle) + Real(0.05) * std::cos(angle);
+                            const BodyId plank = world.add({.shape = Box{width, Real(0.1)},
+                                                            .position = {3 - kHalf, height},
+                                                            .rotation = Rot::fromAngle(angle),
+                                                            .velocity = {speed, 0},
+                                                            .material = support::slippery()});
+                            support::run(world, static_cast<int>(rate), 1 / rate);
+                            const Real way = world[plank].position().x - (3 - kHalf);
+                            lost += (speed - way) / (speed / rate);
+                            ++planks;
+                        }
+                    }
+                }
+                EXPECT_LT(lost / static_cast<Real>(planks), 1)
+                    << "ground " << static_cast<int>(ground) << ", " << rate << " Hz, solver "
+                    << settings.solver.index();
+            }
+        }
+    }
+}
+
 } // namespace
 } // namespace kodo

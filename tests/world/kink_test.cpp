@@ -188,5 +188,36 @@ TEST(Kink, AWallStopsWhatRunsIntoIt) {
     }
 }
 
+// A rod lies with one end on level ground and with its side on the edge of a step, whose sloping
+// face rises from that ground. The edge is 0.28 m from the foot of the face, so it carries the rod,
+// and not the face: that would lift the rod at up to 1 m/s. Its centre is between both supports.
+TEST(Kink, ARodRestsOnAnEdgeAboveIt) {
+    constexpr Real kHigh = Real(0.2); // m, of the step; as far the edge is from its foot
+    for (const StepSettings& settings : {balanced(), accurate(), thesis2006()}) {
+        for (const Real rate : {Real(30), Real(60), Real(120), Real(240)}) {
+            SCOPED_TRACE(::testing::Message()
+                         << "solver " << settings.solver.index() << ", " << rate << " Hz");
+            World world({.gravity = kEarth, .settings = settings});
+            world.add({.shape = Box{4, 1, {-2, Real(-0.5)}}, .type = BodyType::Static});
+            world.add({.shape = Polygon{{{0, -1}, {1, -1}, {1, kHigh}, {kHigh, kHigh}, {0, 0}}},
+                       .type = BodyType::Static});
+            const Vec2 foot{-1, 0};
+            const Vec2 along = normalize(Vec2{kHigh, kHigh} - foot);
+            const Vec2 start = foot + Real(1.2) * along + Real(0.05) * perp(along);
+            const BodyId rod = world.add({.shape = Box{Real(2.4), Real(0.1)},
+                                          .position = start,
+                                          .rotation = {along.x, along.y},
+                                          .material = withFriction(1)});
+            Real farthest = 0;
+            for (int step = 0; step < static_cast<int>(3 * rate); ++step) {
+                world.step(1 / rate);
+                farthest = std::max(farthest, length(world[rod].position() - start));
+            }
+            EXPECT_LT(farthest, Real(0.001)); // a quarter of the slop
+            EXPECT_TRUE(world[rod].isAsleep());
+        }
+    }
+}
+
 } // namespace
 } // namespace kodo
