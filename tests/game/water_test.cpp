@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Water: what floats, what sinks, what splashes, and what runs out. Blocks that must be kept.
+#include <apart/core/tuning.hpp>
 #include <apart/core/water.hpp>
 
 #include <game/game_access.hpp>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <memory>
 #include <numbers>
 
 namespace {
@@ -130,6 +133,22 @@ TEST(Water, StaysWithoutADam) {
     playOn(game, 120);
     EXPECT_FALSE(game.waters()[0].open);
     EXPECT_NE(digestOf(levelFrom(closed)), digestOf(levelFrom(text)));
+}
+
+// Each part of a disc is slowed by its own speed, so its spin falls as its speed does: by 1/e in
+// density / drag. The drag is explicit: 240 steps of a second are 0.3 % below the exponential.
+TEST(Water, ADiscLosesItsSpinAsItsSpeed) {
+    kodo::World world; // without gravity; the water lifts nothing
+    const Pool::Fluid still{0, kWaterDrag, {}};
+    world.addField({std::make_shared<Pool>(still, kodo::Aabb{{-9, -9}, {9, 9}})});
+    const kodo::BodyId disc = world.add(
+        {.shape = kodo::Circle{Real(0.5)}, .velocity = {2, 0}, .angularVelocity = 4, .density = 1});
+    for (int step = 0; step < 240; ++step) {
+        world.step(Real(1) / 240);
+    }
+    const Real left = std::exp(-kWaterDrag); // of both after a second
+    EXPECT_NEAR(world[disc].velocity().x / 2, left, Real(0.01) * left);
+    EXPECT_NEAR(world[disc].angularVelocity() / 4, left, Real(0.01) * left);
 }
 
 TEST(Water, BallsFlyThroughIt) {

@@ -80,6 +80,37 @@ TEST(WayWatch, TellsABankBeforeTheFirstBlock) {
     EXPECT_EQ(waysAfter({-11, 10}, {-16, 0}), 0b101u);
 }
 
+// The ball touches a block of steel, which stays, before it comes off the wall to the bricks.
+TEST(WayWatch, AWallAfterTheFirstBlockIsNoBank) {
+    const std::string steel = "[legend.x]\nstuff = \"steel\"\n"
+                              "[[block]]\nkind = \"x\"\nshape = \"square\"\nx = 0\ny = 12000\n";
+    Game game(levelFrom(towers() + steel), 1);
+    playOn(game, 60);
+    GameTestAccess::beginBlow(game);
+    WayWatch watch;
+    std::string struck; // letters; . for a wall
+    const auto play = [&](int ticks) {
+        for (int i = 0; i < ticks; ++i) {
+            game.tick({});
+            watch.update(game);
+            for (const Event& event : game.events()) {
+                const auto* hit = std::get_if<Struck>(&event);
+                if (hit != nullptr && game.collapse().largest == 0) {
+                    struck += hit->what == Role::Block ? hit->letter : '.';
+                }
+            }
+        }
+    };
+    GameTestAccess::shoot(game, {0, 10}, {0, 16});
+    play(30);
+    ASSERT_EQ(struck, "x");
+    GameTestAccess::shoot(game, {11, 10}, {16, 0});
+    play(120);
+    EXPECT_EQ(struck, "x.b");
+    EXPECT_GT(game.collapse().largest, 0);
+    EXPECT_EQ(watch.ways(game.level()), 0b010u) << "the bricks, not by the wall";
+}
+
 // A serve strikes the bricks, and only later a mount fails.
 TEST(WayWatch, AFallThatBeginsWithoutABallHasNoWay) {
     Game game(levelFrom(towers()), 1);
