@@ -182,6 +182,24 @@ TEST_F(EditorStage, ALevelOfTheGameIsCopied) {
     EXPECT_EQ(editorOf(&own, levels, folder_).file, (folder_ / (own.name + ".toml")).string());
 }
 
+// Regression: it was the level over which the pointer had passed last.
+TEST_F(EditorStage, TheButtonOfTheMapEditsTheLevelOnWhichThePointerRested) {
+    start();
+    rig_->press(Command::Back);
+    ASSERT_EQ(rig_->stage.screen(), Screen::Levels);
+    const LevelMap& map = rig_->stage.levelMap();
+    mouse(map.tile(1).center(), false, false);
+    rig_->frames(30);
+    mouse(map.tile(0).center(), false, false);
+    click(map.editPlace().center());
+    ASSERT_EQ(rig_->stage.screen(), Screen::Editor);
+    EXPECT_EQ(level().name, "test_3_own");
+    rig_->press(Command::Back);
+    mouse(map.tile(0).center(), false, false);
+    key("E"); // of the level that is shown
+    EXPECT_EQ(level().name, "test_1_own");
+}
+
 TEST_F(EditorStage, AFileIsEditedWhereverItIs) {
     const auto fresh = editorOfFile(folder_ / "tower.toml");
     ASSERT_TRUE(std::holds_alternative<EditorStart>(fresh));

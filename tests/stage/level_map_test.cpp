@@ -70,6 +70,42 @@ TEST(LevelMap, NoTwoLevelsOverlapAndEachCanBeClicked) {
     EXPECT_FALSE(map.take(aside));
 }
 
+// Regression: the level over which a pointer passed on its way to a button was the chosen one.
+TEST(LevelMap, APointerThatPassesShowsALevelAndOneThatRestsChoosesIt) {
+    LevelMap map(elevenLevels());
+    double now = 0;
+    const auto move = [&](Vec2 place) {
+        Signals signals;
+        signals.pointer = signals.pointerNow = place;
+        map.point(signals, now += 0.1);
+    };
+    const auto rest = [&](double seconds) { map.point({}, now += seconds); };
+    map.choose(9);
+    for (const std::size_t level : {5u, 4u, 3u}) {
+        move(map.tile(level).center());
+        EXPECT_EQ(map.shown(), level);
+        rest(0.1);
+        EXPECT_EQ(map.chosen(), 9u);
+    }
+    move(map.editPlace().center());
+    EXPECT_EQ(map.shown(), 9u) << "the card is that of the chosen level again";
+    rest(1);
+    EXPECT_EQ(map.chosen(), 9u);
+    move(map.tile(4).center());
+    rest(0.45);
+    EXPECT_EQ(map.chosen(), 4u);
+    move(map.tile(6).center());
+    press(map, Command::Right); // from the one that is shown
+    EXPECT_EQ(map.chosen(), 7u);
+    rest(1);
+    EXPECT_EQ(map.chosen(), 7u) << "the pointer has not moved since";
+    Signals click;
+    click.clicked = true;
+    click.pointerNow = map.tile(2).center();
+    EXPECT_EQ(map.take(click), std::optional<std::size_t>(2));
+    EXPECT_EQ(map.chosen(), 2u);
+}
+
 TEST(LevelMap, ABandOfManyLevelsMovesAlongWithTheChosenOne) {
     LevelList levels(40, glassLevel("x", {7}));
     LevelMap map(levels, {{}, 1}); // all but the first are the player's
@@ -162,7 +198,7 @@ TEST(LevelMap, NamesTheHonourUnderThePointer) {
     const auto seen = [&](Vec2 pointer) {
         Signals signals;
         signals.pointer = pointer;
-        map.take(signals);
+        map.point(signals, 0);
         RecordingCanvas canvas;
         canvas.begin({{-16, 0}, {16, 20}}, {});
         map.draw(canvas, records, 0);

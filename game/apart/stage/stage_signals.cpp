@@ -185,14 +185,15 @@ void Stage::takeLevels(const Signals& signals, Speaker& speaker) {
     const auto pressed = [&](Command command) {
         return std::count(signals.commands.begin(), signals.commands.end(), command) > 0;
     };
+    const std::size_t before = map_.chosen();
+    map_.point(signals, seconds_);
     if (pressed(Command::Back) ||
         (signals.clicked && map_.backPlace().contains(signals.pointerNow))) {
         return toTitle();
     }
-    const std::size_t before = map_.chosen();
     if (def_.edit && (map_.wantsNew(signals) || map_.wantsEdit(signals))) {
         const bool fresh = map_.wantsNew(signals);
-        return edit(def_.edit(fresh ? nullptr : def_.levels[before].get()));
+        return edit(def_.edit(fresh ? nullptr : def_.levels[map_.shown()].get()));
     }
     if (const std::optional<std::size_t> level = map_.take(signals)) {
         chirp(speaker, records_.profile().audible().sound, true);

@@ -152,15 +152,15 @@ struct HintPlace {
 
 /// The place that covers the least; of equal ones the nearest to the usual one.
 HintPlace placeOfHint(const std::vector<Aabb>& boxes, const std::vector<Aabb>& free) {
-    constexpr Vec2 kUsual{0, Real(7.3)};
+    constexpr Vec2 kUsualPlace{0, Real(7.3)};
     Aabb all = boxes.front();
     for (const Aabb& box : boxes) {
         all = unite(all, box);
     }
-    HintPlace best{kUsual};
+    HintPlace best{kUsualPlace};
     Real least = std::numeric_limits<Real>::max();
     const auto consider = [&](Vec2 place) {
-        const Real far = std::abs(place.y - kUsual.y) + Real(1.5) * std::abs(place.x);
+        const Real far = std::abs(place.y - kUsualPlace.y) + Real(1.5) * std::abs(place.x);
         Real covered = 0;
         Real cost = Real(0.001) * far;
         for (std::size_t i = 0; i < free.size() && cost < least; ++i) {

@@ -26,6 +26,9 @@ public:
     std::size_t nextLevel(const Records& records);
     bool isLastBoss(std::size_t level) const;
 
+    /// The pointer shows the card of a level while it passes, and chooses one on which it rests.
+    /// `now`: s.
+    void point(const Signals& signals, double now);
     /// The level to play, after the player has confirmed a choice. None if it is closed.
     std::optional<std::size_t> take(const Signals& signals);
     void choose(std::size_t level);
@@ -33,6 +36,8 @@ public:
     void setDuel(bool on) { duel_ = on; }
     bool forDuel() const { return duel_; }
     std::size_t chosen() const { return chosen_; }
+    /// The level of the card, which keys act on: that under the pointer, else the chosen one.
+    std::size_t shown() const { return hover_.level.value_or(chosen_); }
 
     /// `seconds`: of animations.
     void draw(Canvas& canvas, const Records& records, double seconds) const;
@@ -41,7 +46,7 @@ public:
     Aabb tile(std::size_t level) const;
     /// Clickable area that returns to the title.
     Aabb backPlace() const;
-    // The chosen level is to be edited, or a new one: by a click or the keys E and N.
+    // The level of the card is to be edited, or a new one: by a click or the keys E and N.
     bool wantsEdit(const Signals& signals) const { return wants(signals, editPlace(), "E"); }
     bool wantsNew(const Signals& signals) const { return wants(signals, newPlace(), "N"); }
     Aabb editPlace() const;
@@ -54,6 +59,12 @@ private:
         bool own = false;
         std::size_t shown = 0; // index of the first level in sight
     };
+    struct Hover {
+        std::optional<std::size_t> level{}; // under the pointer, unless it is the chosen one
+        double since = 0;                   // s; the pointer has not moved from then on
+    };
+    static constexpr Aabb kLands{{Real(-14.9), Real(1.5)}, {Real(4.2), Real(15.4)}}; // m
+    static constexpr Real kMargin = Real(1.3); // m, from the first level of a band to the edge
 
     static bool wants(const Signals& signals, const Aabb& place, const char* key);
     std::size_t bandOf(std::size_t level) const;
@@ -61,9 +72,12 @@ private:
     bool isOpen(std::size_t band) const;
     std::size_t countShown(const Band& band) const;
     std::optional<Vec2> placeOf(std::size_t level) const;
+    std::optional<std::size_t> under(Vec2 place) const; // the level to which a finger there belongs
     Real radiusOf(std::size_t level) const;
     void move(Command command);
     void moveAcross(bool up);
+
+    // Pictures (level_map_painter.cpp).
     void drawWay(Canvas& canvas) const;
     void drawStop(Canvas& canvas, std::size_t level, const Records& records, double seconds) const;
     void drawNames(Canvas& canvas, std::size_t band, const Records& records) const;
@@ -75,6 +89,7 @@ private:
     std::vector<Stop> stops_;
     std::vector<Band> bands_;
     std::size_t chosen_ = 0;
+    Hover hover_;
     bool duel_ = false;
     Vec2 pointer_{-1000, -1000}; // where it was last
 };
