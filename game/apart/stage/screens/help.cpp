@@ -81,7 +81,9 @@ Caption captionOf(HelpTopic topic, const Game& game, const Bindings& keys) {
     case HelpTopic::Pull:
         return {"pull", keys.anyPrompt(Act::Pull), "balls, shards and rubble come to the paddle"};
     case HelpTopic::Push:
-        return {"push", keys.anyPrompt(Act::Push), "balls, shards and rubble fly from the paddle"};
+        return {"push", keys.anyPrompt(Act::Push),
+                isHollow(game) ? "the ball is hollow: it clears nothing yet"
+                               : "balls, shards and rubble fly from the paddle"};
     case HelpTopic::Meter:
         return {"meter", "", "both empty it; time and caught shards fill it"};
     case HelpTopic::Moods:
