@@ -4,6 +4,7 @@
 #include <apart/core/editor/edit_document.hpp>
 #include <apart/core/editor/level_edit.hpp>
 #include <apart/core/editor/level_writer.hpp>
+#include <apart/core/editor/size_edit.hpp>
 #include <apart/core/editor/trial.hpp>
 #include <apart/core/level_file.hpp>
 #include <apart/core/standing_trial.hpp>
@@ -353,6 +354,34 @@ y = 14600
     EXPECT_GT(map.clearedBy(1), 0.2);
     EXPECT_GT(map.clearedBy(2), 0.2);
     EXPECT_EQ(map.clearedBy(3), 0);
+}
+
+// Regression: the paddle stood in the middle, far from the ball.
+TEST(Trial, ThePaddleIsBelowTheBallAndInsideTheField) {
+    for (const Real x : {Real(5), Real(-11), Real(11)}) {
+        Game game(bricks({brick(0, 6600)}), 1);
+        Trial::dropBall(game, {x, 12});
+        const Real paddle = game.world()[game.paddle()].position().x;
+        EXPECT_NEAR(paddle, x, 3);
+        EXPECT_EQ(paddle == x, x == 5);
+        const kodo::Aabb bounds = game.world()[game.paddle()].bounds();
+        EXPECT_GE(bounds.lower.x, -kFieldWidth / 2 + 2 * kBallRadius - Real(0.001));
+        EXPECT_LE(bounds.upper.x, kFieldWidth / 2 - 2 * kBallRadius + Real(0.001));
+        game.tick({});
+        EXPECT_NEAR(game.world()[game.paddle()].position().x, paddle, 0.001);
+    }
+}
+
+TEST(Trial, ABallBeginsAboveABlockAndNotInIt) {
+    Game game(bricks({brick(0, 6600), brick(0, 7400)}), 1);
+    Trial::dropBall(game, {0, Real(6.5)});
+    const Vec2 ball = game.world()[game.balls()[0].body].position();
+    EXPECT_EQ(ball.x, 0);
+    EXPECT_GT(ball.y, Real(7.8) + kBallRadius);
+    EXPECT_LT(ball.y, Real(7.8) + 3 * kBallRadius);
+    Game full(bricks({{.x = 0, .y = 12000, .width = 2000, .height = 16000}}), 1);
+    Trial::dropBall(full, {0, 12});
+    EXPECT_EQ(full.world()[full.balls()[0].body].position(), Vec2(0, 12)) << "no place is free";
 }
 
 TEST(Trial, ABallFromAPlaceFliesDownAndIsNotHollow) {

@@ -223,6 +223,26 @@ TEST(HeldKeys, EitherShiftIsHeldUntilItIsReleased) {
     }
 }
 
+TEST(HeldKeys, TheLatestKeyIsTheOneThatRepeats) {
+    HeldKeys keys;
+    const auto held = [&] {
+        Signals signals;
+        keys.addHeld({}, signals);
+        return signals.keyHeld;
+    };
+    Signals signals;
+    EXPECT_EQ(held(), kNoKey);
+    keys.press(*keyNamed("W"), signals);
+    EXPECT_EQ(held(), keyNamed("W"));
+    keys.press(*keyNamed("K"), signals);
+    EXPECT_EQ(held(), keyNamed("K"));
+    keys.release(*keyNamed("K"));
+    EXPECT_EQ(held(), kNoKey);
+    keys.press(*keyNamed("K"), signals);
+    keys.releaseAll();
+    EXPECT_EQ(held(), kNoKey);
+}
+
 /// Keeps the rectangles of a picture.
 class Rectangles : public RecordingCanvas {
 public:

@@ -147,6 +147,94 @@ TEST_F(EditorStage, ATryBeginsAtThePointerAndLeadsBack) {
     EXPECT_TRUE(rig_->stage.records().profile().best[0].empty());
 }
 
+// Regression: it began at the button, and the paddle was far from it.
+TEST_F(EditorStage, ATryByItsButtonBeginsWhereThePointerStayedInTheField) {
+    start();
+    mouse({-7, 12}, false, false);
+    rig_->frames(20);
+    mouse({Real(11.5), 9}, false, false); // on the way to the button
+    button(EditorAct::Try);
+    ASSERT_EQ(rig_->stage.screen(), Screen::Playing);
+    const Game& game = rig_->stage.session().game();
+    EXPECT_NEAR(game.world()[game.balls()[0].body].position().x, -7, 0.1);
+    EXPECT_NEAR(game.world()[game.paddle()].position().x, -7, 0.2);
+}
+
+TEST_F(EditorStage, ATryIsNamedInItsPanel) {
+    start();
+    key("T");
+    EXPECT_TRUE(rig_->picture().says("TRY OF my_level"));
+    EXPECT_TRUE(rig_->picture().says("escape: back to the editor"));
+    EXPECT_FALSE(rig_->picture().says("A LEVEL OF ITS OWN"));
+}
+
+TEST_F(EditorStage, AHeldKeyOfASizeRepeats) {
+    start();
+    click({0, Real(6.6)});
+    key("W");
+    EXPECT_EQ(level().freeBlocks[0].width, 1700);
+    const auto hold = [&](const char* name, int frames) {
+        Signals signals;
+        signals.keyHeld = *keyNamed(name);
+        for (int i = 0; i < frames; ++i) {
+            rig_->frame(signals);
+        }
+    };
+    hold("W", 60);
+    EXPECT_EQ(level().freeBlocks[0].width, 1700) << "it was released meanwhile";
+    Signals signals;
+    signals.presses = {{false, *keyNamed("W")}};
+    signals.keyHeld = *keyNamed("W");
+    rig_->frame(signals);
+    hold("W", 16);
+    EXPECT_EQ(level().freeBlocks[0].width, 1800) << "not before 0.3 s";
+    hold("W", 62);
+    EXPECT_NEAR(level().freeBlocks[0].width, 1800 + 12 * 100, 100);
+    const std::int32_t width = level().freeBlocks[0].width;
+    rig_->frame();
+    hold("W", 60);
+    EXPECT_EQ(level().freeBlocks[0].width, width);
+    signals.presses = {{false, *keyNamed("M")}};
+    signals.keyHeld = *keyNamed("M");
+    rig_->frame(signals);
+    hold("M", 60);
+    EXPECT_EQ(level().freeBlocks.size(), 2u) << "a mirror image is made once";
+}
+
+// The brick stands on a ledge.
+TEST_F(EditorStage, AChangedSizeKeepsContactUnlessShiftIsHeld) {
+    start();
+    click({0, Real(6.6)});
+    key("K");
+    EXPECT_EQ(level().freeBlocks[0].height, 900);
+    EXPECT_EQ(level().freeBlocks[0].y, 6650);
+    Signals signals;
+    signals.presses = {{false, *keyNamed("K")}};
+    signals.shiftHeld = true;
+    rig_->frame(signals);
+    EXPECT_EQ(level().freeBlocks[0].height, 1000);
+    EXPECT_EQ(level().freeBlocks[0].y, 6650);
+}
+
+TEST_F(EditorStage, ARefusalGoesWithTheNextChangeOrAfterSomeSeconds) {
+    start();
+    const auto refuse = [&] {
+        button(EditorAct::Pin);
+        click({8, 8});
+        EXPECT_TRUE(rig_->picture().says("A pin is at a block that is not mounted."));
+    };
+    refuse();
+    rig_->frames(60 * 7);
+    EXPECT_FALSE(rig_->picture().says("A pin is at a block that is not mounted."));
+    refuse();
+    button(EditorAct::Shape, 0);
+    click({0, Real(7.4)});
+    EXPECT_FALSE(rig_->picture().says("A pin is at a block that is not mounted."));
+    refuse();
+    key("Z");
+    EXPECT_FALSE(rig_->picture().says("A pin is at a block that is not mounted."));
+}
+
 TEST_F(EditorStage, ASavedLevelIsReadByTheGameAndStandsInTheList) {
     start();
     key("S");

@@ -90,6 +90,7 @@ void HeldKeys::give(Press press, std::optional<Command> fixed, Signals& signals)
 void HeldKeys::press(int key, Signals& signals) {
     if (key >= 0 && static_cast<std::size_t>(key) < held_.size()) {
         held_[static_cast<std::size_t>(key)] = true;
+        latest_ = key;
     }
     signals.seats[0].serves |= bindings_.actOf({false, key}) == Act::Serve;
     signals.seats[1].serves |= key == kSecondServe;
@@ -202,6 +203,8 @@ void HeldKeys::addColumn(std::size_t column, PaddleSignals& signals) const {
 void HeldKeys::addHeld(const std::array<bool, 2>& buttons, Signals& signals) const {
     signals.shiftHeld = std::any_of(kShifts.begin(), kShifts.end(),
                                     [&](int key) { return held_[static_cast<std::size_t>(key)]; });
+    signals.keyHeld =
+        latest_ != kNoKey && held_[static_cast<std::size_t>(latest_)] ? latest_ : kNoKey;
     bool serve = buttons[0];
     for (std::size_t i = 0; i < kSeats; ++i) {
         addColumn(kColumnOfSeat[i], signals);

@@ -49,6 +49,7 @@ private:
 
     Bindings bindings_;
     std::array<bool, kKeyNames.size()> held_{};
+    int latest_ = kNoKey; // the key that was pressed last
     bool inGame_ = false;
     std::array<int, 2> tilt_{};            // -1, 0 or 1 along x and y, of the gamepad
     std::uint32_t buttonsHeld_ = 0;        // of the gamepad

@@ -76,6 +76,10 @@ HudLook hudLookOf(const Stage& stage) {
     if (session.game().result() != Result::Lost) { // a way counts if the level is won
         look.ways = session.statistics().way.ways(session.game().level());
     }
+    if (stage.editor_) {
+        look.place = "TRY OF " + shortened(stage.editor_->document().level()->name, 24);
+        look.foot = "escape: back to the editor";
+    }
     look.keys = stage.records_.profile().bindings;
     look.muted = stage.records_.profile().audible().sound == 0;
     if (session.isShow()) {

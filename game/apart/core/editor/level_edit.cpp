@@ -222,34 +222,6 @@ Level turned(Level level, std::span<const LevelPart> parts, std::int32_t by) {
     return level;
 }
 
-FreeBlock resized(FreeBlock block, EditStep by) {
-    const auto grown = [](std::int32_t size, std::int32_t more) {
-        constexpr std::int32_t kLeast = 100; // 1/1000 m
-        return std::max(size + more, kLeast);
-    };
-    if (isRound(block.form)) {
-        block.width = block.height = grown(block.width, by.x + by.y);
-    } else if (block.form != Form::Voussoir) {
-        block.width = grown(block.width, by.x);
-        block.height = grown(block.height, by.y);
-    }
-    return block;
-}
-
-Level resized(Level level, std::span<const LevelPart> parts, EditStep by) {
-    for (const LevelPart part : parts) {
-        if (part.of == LevelPart::Of::Block) {
-            level.freeBlocks[part.index] = resized(level.freeBlocks[part.index], by);
-        } else if (part.of == LevelPart::Of::Obstruction &&
-                   level.obstructions[part.index].kind == ObstructionKind::Ledge) {
-            ObstructionDef& ledge = level.obstructions[part.index];
-            ledge.size = std::max(ledge.size + by.x, 100);
-            ledge.height = std::max(ledge.height + by.y, 100);
-        }
-    }
-    return level;
-}
-
 Level flipped(Level level, std::span<const LevelPart> parts) {
     for (const LevelPart part : parts) {
         if (part.of == LevelPart::Of::Block) {

@@ -20,10 +20,6 @@ Level without(Level level, LevelParts parts);
 Level withMirrorImages(Level level, std::span<const LevelPart> parts);
 /// Turns each block or ledge about its middle by 1/1000 degree, counter-clockwise.
 Level turned(Level level, std::span<const LevelPart> parts, std::int32_t by);
-/// Adds so much to widths and heights about the middles, to 100 mm at least. A round one takes
-/// both for its diameter; a voussoir keeps its size.
-FreeBlock resized(FreeBlock block, EditStep by);
-Level resized(Level level, std::span<const LevelPart> parts, EditStep by);
 /// Exchanges left and right of the shapes of blocks, and of ground that has an outline.
 Level flipped(Level level, std::span<const LevelPart> parts);
 

@@ -158,6 +158,35 @@ void addEdges(std::vector<std::pair<Range, Range>>& all, const ObstructionDef& g
     }
 }
 
+/// Where the other parts are that blocks touch, across and up.
+std::vector<std::pair<Range, Range>> solidsBut(const Level& level, std::span<const LevelPart> own) {
+    std::vector<std::pair<Range, Range>> others;
+    forParts(level, [&](LevelPart part) {
+        const bool solid = part.of == LevelPart::Of::Block || part.of == LevelPart::Of::Cell ||
+                           (part.of == LevelPart::Of::Obstruction &&
+                            level.obstructions[part.index].kind != ObstructionKind::Ground);
+        if (std::find(own.begin(), own.end(), part) != own.end()) {
+            return;
+        }
+        if (solid) {
+            const Aabb box = boundsOf(level, part);
+            others.emplace_back(across(box), up(box));
+        } else if (part.of == LevelPart::Of::Obstruction) {
+            addEdges(others, level.obstructions[part.index]);
+        }
+    });
+    return others;
+}
+
+/// Takes the gap to another range, if it lies on one of the sides.
+void limit(std::int32_t& low, std::int32_t& high, const Range& own, const Range& other) {
+    if (other.high <= own.low) {
+        low = std::min(low, own.low - other.high);
+    } else if (other.low >= own.high) {
+        high = std::min(high, other.low - own.high);
+    }
+}
+
 } // namespace
 
 std::vector<std::int32_t> blocksAt(const Level& level, Vec2 place) {
@@ -246,21 +275,7 @@ EditStep snapped(const Level& level, const Aabb& bounds, std::span<const LevelPa
     constexpr std::int32_t kBeside = 300; // 1/1000 m; nearer parts are neighbours
     const Range x = across(bounds).plus(step.x);
     const Range y = up(bounds).plus(step.y);
-    std::vector<std::pair<Range, Range>> others;
-    forParts(level, [&](LevelPart part) {
-        const bool solid = part.of == LevelPart::Of::Block || part.of == LevelPart::Of::Cell ||
-                           (part.of == LevelPart::Of::Obstruction &&
-                            level.obstructions[part.index].kind != ObstructionKind::Ground);
-        if (std::find(own.begin(), own.end(), part) != own.end()) {
-            return;
-        }
-        if (solid) {
-            const Aabb box = boundsOf(level, part);
-            others.emplace_back(across(box), up(box));
-        } else if (part.of == LevelPart::Of::Obstruction) {
-            addEdges(others, level.obstructions[part.index]);
-        }
-    });
+    const std::vector<std::pair<Range, Range>> others = solidsBut(level, own);
     Nearest rise;
     for (const auto& [otherX, otherY] : others) {
         if (x.meets(otherX, 0)) {
@@ -283,6 +298,22 @@ EditStep snapped(const Level& level, const Aabb& bounds, std::span<const LevelPa
     side.offer(-(x.low + x.high) / 2); // the middle of the field
     const std::int32_t wayX = side.way().value_or(toGrid(x.low));
     return {step.x + wayX, step.y + wayY};
+}
+
+Gaps gapsBeside(const Level& level, LevelPart part) {
+    Gaps gaps;
+    const Aabb bounds = boundsOf(level, part);
+    const Range x = across(bounds);
+    const Range y = up(bounds);
+    for (const auto& [otherX, otherY] : solidsBut(level, {&part, 1})) {
+        if (y.meets(otherY, 0)) {
+            limit(gaps.left, gaps.right, x, otherX);
+        }
+        if (x.meets(otherX, 0)) {
+            limit(gaps.below, gaps.above, y, otherY);
+        }
+    }
+    return gaps;
 }
 
 } // namespace apart

@@ -42,6 +42,16 @@ std::optional<std::size_t> blockAt(const Level& level, kodo::Vec2 place); // the
 /// m, in the field.
 kodo::Aabb boundsOf(const Level& level, LevelPart part);
 
+/// The gaps between a part and the nearest ones beside, below and above it (1/1000 m).
+struct Gaps {
+    static constexpr std::int32_t kFree = 1000000;
+    std::int32_t left = kFree;
+    std::int32_t right = kFree;
+    std::int32_t below = kFree;
+    std::int32_t above = kFree;
+};
+Gaps gapsBeside(const Level& level, LevelPart part);
+
 /// The way that brings a part with these bounds (m) into contact with what is beside it, flush with
 /// it, or to the middle of the field, if one of them is within kSnapReach; else to multiples of
 /// kSnapGrid. `own`: parts that move with it.

@@ -29,10 +29,28 @@ bool comesDownByItself(const Game& game) {
            std::any_of(game.events().begin(), game.events().end(), waited);
 }
 
+/// The nearest place above in which a ball touches neither block nor obstruction, below the top;
+/// the same place if there is none.
+Vec2 freeAbove(const kodo::World& world, Vec2 place) {
+    const auto solid =
+        static_cast<std::uint16_t>(flagsOf(Role::Block) | flagsOf(Role::Obstruction));
+    for (Vec2 free = place; free.y < kFieldHeight - kBallRadius; free.y += kBallRadius) {
+        if (overlap(world, kodo::Circle{kBallRadius}, {free, {}}, {kodo::kMatchAny, solid})
+                .empty()) {
+            return free;
+        }
+    }
+    return place;
+}
+
 } // namespace
 
 void Trial::dropBall(Game& game, Vec2 place) {
+    constexpr Real kReach = kFieldWidth / 2 - kPaddleHalfWidth - 2 * kBallRadius;
     GameState& state = game.state_;
+    place = freeAbove(state.world, place);
+    kodo::BodyRef paddle = state.world[state.paddle.body];
+    paddle.setPosition({std::clamp(place.x, -kReach, kReach), paddle.position().y});
     for (Ball& ball : state.balls) {
         ball.riding = false;
         ball.hollow = false;

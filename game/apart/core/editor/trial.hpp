@@ -12,7 +12,8 @@ namespace apart {
 
 /// Games that do not begin with a serve. No replay holds them.
 struct Trial {
-    /// The ball of the serve flies down from a place (m), and is never hollow.
+    /// The ball of the serve flies down from a place (m), above what is there, and is never hollow.
+    /// The paddle is below it.
     static void dropBall(Game& game, kodo::Vec2 place);
     /// What a ball from below does to a block: one that can break breaks at `point` (m); another
     /// one gets the impulse of a ball that is reflected.

@@ -53,6 +53,7 @@ struct Signals : PaddleSignals {
     bool shiftHeld = false;
     std::vector<Command> commands{}; // in order of pressing
     std::vector<Press> presses{};    // the same keys and buttons, whatever they mean
+    int keyHeld = kNoKey;            // the one that was pressed last, while it is held
     bool anyKey = false;             // any key was pressed, even an unassigned one
     bool focusLost = false;
     bool closed = false; // by the window's close button

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/editor/level_writer.hpp>
+#include <apart/core/editor/size_edit.hpp>
 #include <apart/stage/canvas/layout.hpp>
 #include <apart/stage/screens/editor_screen.hpp>
 
@@ -16,6 +17,8 @@ namespace {
 constexpr std::uint32_t kTrialTicks = 60; // of one trial in a frame; a tick takes 0.04 ms or more
 constexpr int kRestFrames = 20;           // of the pointer, until the fall is forecast
 constexpr std::int32_t kTurnStep = 15000; // 1/1000 degree
+constexpr double kStaySeconds = 0.2;      // of the pointer at a place to try from
+constexpr double kRepeatAfter = 0.3;      // s, of a key that is held
 constexpr double kAskSeconds = 4;         // in which a second escape leaves
 constexpr const char* kUnsaved = "Not saved. Once more to leave all the same.";
 
@@ -170,6 +173,7 @@ void EditorScreen::undo(bool again) {
         return outline_.corners.pop_back();
     }
     again ? document_.redo() : document_.undo();
+    notice_.clear();
     hand_.chosen.clear();
     changed();
 }
@@ -265,43 +269,15 @@ EditorScreen::Wish EditorScreen::leave(double now) {
     return Wish::None;
 }
 
-void EditorScreen::takeKey(int key, double now) {
-    const auto is = [&](const char* name) { return key == keyNamed(name); };
-    const EditStep way = is("left")    ? EditStep{-kSnapGrid, 0}
-                         : is("right") ? EditStep{kSnapGrid, 0}
-                         : is("up")    ? EditStep{0, kSnapGrid}
-                         : is("down")  ? EditStep{0, -kSnapGrid}
-                                       : EditStep{};
-    if (way != EditStep{} && !hand_.chosen.empty()) {
-        nudge(way, now);
-    }
-    if (is("enter") && !outline_.corners.empty()) {
-        finishGround(now);
-    }
-    constexpr std::int32_t kMore = 100; // 1/1000 m
-    const EditStep larger = is("W")   ? EditStep{kMore, 0}
-                            : is("Q") ? EditStep{-kMore, 0}
-                            : is("K") ? EditStep{0, kMore}
-                            : is("J") ? EditStep{0, -kMore}
-                                      : EditStep{};
-    if (larger != EditStep{} && tool_.tool == EditorTool::Block) {
-        tool_.larger = {tool_.larger.x + larger.x, tool_.larger.y + larger.y};
-    } else if (larger != EditStep{}) {
-        change(resized(*document_.level(), hand_.chosen, larger), now);
-    }
-    const std::vector<EditorButton>& all = buttons();
-    const auto found = std::find_if(all.begin(), all.end(), [&](const EditorButton& button) {
-        return keyOf(button) == key || (button.act == EditorAct::Remove && is("delete"));
-    });
-    if (found != all.end() && key != kNoKey) {
-        act(*found, now);
-    }
-}
-
 EditorScreen::Wish EditorScreen::take(const Signals& signals, double now) {
     if (signals.pointer || signals.clicked) {
         hand_.rests = hand_.pointer == signals.pointerNow ? hand_.rests : 0;
+        hand_.movedAt = hand_.pointer == signals.pointerNow ? hand_.movedAt : now;
         hand_.pointer = signals.pointerNow;
+    }
+    const bool stays = signals.clicked || now - hand_.movedAt >= kStaySeconds;
+    if (stays && layout::kField.contains(hand_.pointer)) {
+        hand_.field = hand_.pointer;
     }
     hand_.free = signals.shiftHeld;
     for (const Command command : signals.commands) {
@@ -319,8 +295,11 @@ EditorScreen::Wish EditorScreen::take(const Signals& signals, double now) {
         }
         if (!press.pad) {
             takeKey(press.code, now);
+            hand_.repeated = press.code;
+            hand_.repeatAt = now + kRepeatAfter;
         }
     }
+    repeat(signals.keyHeld, now);
     if (signals.clicked) {
         for (const EditorButton& button : buttons()) {
             if (button.place.contains(hand_.pointer)) {
@@ -368,8 +347,9 @@ std::unique_ptr<Play> EditorScreen::trialPlay() const {
     level.name += ".toml"; // no level has this name, so nothing is recorded
     auto play = std::make_unique<Play>(std::make_shared<const Level>(std::move(level)), 1,
                                        Mode::Standard, settings_);
-    const Vec2 place{std::clamp(hand_.pointer.x, layout::kLeft + 1, layout::kRight - 1),
-                     std::clamp(hand_.pointer.y, Real(3), layout::kTop - 1)};
+    const Vec2 from = layout::kField.contains(hand_.pointer) ? hand_.pointer : hand_.field;
+    const Vec2 place{std::clamp(from.x, layout::kLeft + 1, layout::kRight - 1),
+                     std::clamp(from.y, Real(3), layout::kTop - 1)};
     play->dropBall(place);
     return play;
 }

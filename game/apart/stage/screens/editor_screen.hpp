@@ -7,6 +7,7 @@
 #include <apart/core/editor/trial.hpp>
 #include <apart/core/standing_trial.hpp>
 #include <apart/stage/canvas/canvas.hpp>
+#include <apart/stage/canvas/layout.hpp>
 #include <apart/stage/controls/controls.hpp>
 #include <apart/stage/controls/player_settings.hpp>
 #include <apart/stage/play/play.hpp>
@@ -80,7 +81,8 @@ public:
     const EditDocument& document() const { return document_; }
     const EditorStart& start() const { return start_; }
     bool wasSaved() const { return saves_ > 0; }
-    /// The game of a try: the ball flies down from the pointer. Its level is one without records.
+    /// The game of a try: the ball flies down from the pointer, or from where it stayed last in the
+    /// field. Its level is one without records.
     std::unique_ptr<Play> trialPlay() const;
     static const std::vector<EditorButton>& buttons();
 
@@ -107,9 +109,13 @@ private:
         Vec2 pointer{-100, -100};    // m
         std::optional<Vec2> pressed; // m, while the button is held
         LevelParts chosen;
-        bool drags = false; // the chosen parts
-        bool free = false;  // nothing snaps
-        int rests = 0;      // frames since the pointer moved
+        bool drags = false;                   // the chosen parts
+        bool free = false;                    // nothing snaps
+        int rests = 0;                        // frames since the pointer moved
+        double movedAt = -100;                // s, the pointer
+        Vec2 field = layout::kField.center(); // m; where it stayed last in the field
+        int repeated = kNoKey;                // the key that is held
+        double repeatAt = 0;                  // s, its next effect
     };
     /// Ground that is drawn, or whose outline is changed.
     struct Outline {
@@ -126,6 +132,8 @@ private:
     void act(const EditorButton& button, double now);
     Wish leave(double now);
     void takeKey(int key, double now);
+    void repeat(int key, double now);
+    void resize(EditStep larger, double now);
     void press();
     void release(double now);
     void change(Level level, double now);
