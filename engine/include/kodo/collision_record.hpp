@@ -29,7 +29,9 @@ struct RecordPoint {
 /// manifold, which may have had no point, and the numbers are 0.
 ///
 /// The solver applies impulses in groups: one group for impacts (restitution), then one per
-/// substep. maxImpulse is that of the pair: a box that lands flat on two corners has the same as
+/// substep. Where the normal changes within a step, that of the record is the mean, weighted with
+/// the impulses: `totalImpulse` along it and `tangentImpulse` together have the direction of what
+/// acted. maxImpulse is that of the pair: a box that lands flat on two corners has the same as
 /// one that lands on a corner below its centre.
 struct CollisionRecord {
     BodyId a{}; // a.index < b.index

@@ -2,7 +2,6 @@
 #include "contacts/contact_report.hpp"
 
 #include <algorithm>
-#include <tuple>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
@@ -28,7 +27,7 @@ bool touches(const Contact& contact, const ContactLane& lane, const Tolerances& 
     }
     for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
         // Impacts happen within the slop; other impulses also where the step closes the gap.
-        if (lane.largest(i) > 0 || lane.separation(i) <= tolerances.slop) {
+        if (lane.largest(i) > 0 || lane.impact(i) > 0 || lane.separation(i) <= tolerances.slop) {
             return true;
         }
     }
@@ -46,7 +45,7 @@ void finishContact(Contact& contact, bool touches) {
     contact.wasTouching = contact.touching;
 }
 
-void recordContact(const StoredContact& contact, std::vector<CollisionRecord>& out) {
+void recordContact(const StoredContact& contact, std::vector<CollisionRecord>& out, Vec2 turned) {
     if (!contact.phase) {
         return;
     }
@@ -59,12 +58,9 @@ void recordContact(const StoredContact& contact, std::vector<CollisionRecord>& o
     record.separation = contact.manifold.points[0].separation;
     const ContactNumbers& numbers = contact.numbers;
     record.approachSpeed = numbers.approachSpeed;
-    record.totalImpulse = numbers.total[0];
+    const Real impacts = numbers.impulse[0].impact + numbers.impulse[1].impact;
+    record.totalImpulse = numbers.total[0] + impacts;
     record.tangentImpulse = numbers.total[1];
-    for (std::size_t i = 0; i < record.pointCount; ++i) {
-        record.totalImpulse += numbers.impulse[i].impact;
-    }
-    Real impacts = 0;
     Real substeps = 0;
     Real most = 0;
     for (std::size_t i = 0; i < record.pointCount; ++i) {
@@ -74,7 +70,6 @@ void recordContact(const StoredContact& contact, std::vector<CollisionRecord>& o
         point.separation = contact.manifold.points[i].separation;
         // Refined substeps store their largest part times the number of parts: an upper bound.
         point.maxImpulse = std::min(std::max(impulse.largest, impulse.impact), record.totalImpulse);
-        impacts += impulse.impact;
         substeps += impulse.largest;
         const bool deeper = most == 0 && point.separation < record.separation;
         if (point.maxImpulse > most || deeper) {
@@ -84,20 +79,11 @@ void recordContact(const StoredContact& contact, std::vector<CollisionRecord>& o
         record.separation = std::min(record.separation, point.separation);
     }
     record.maxImpulse = std::min(std::max(impacts, substeps), record.totalImpulse);
-}
-
-void sortRecords(std::vector<CollisionRecord>& records) {
-    const auto key = [](const CollisionRecord& r) {
-        return std::make_tuple(r.a, r.partA, r.b, r.partB, r.phase != TouchPhase::End);
-    };
-    std::sort(records.begin(), records.end(), // total order: a pair has one record, or End, Begin
-              [&](const CollisionRecord& r, const CollisionRecord& s) { return key(r) < key(s); });
-}
-
-void addInOrder(std::span<const CollisionRecord> more, std::vector<CollisionRecord>& records) {
-    if (!more.empty()) {
-        records.insert(records.end(), more.begin(), more.end());
-        sortRecords(records);
+    if (turned != Vec2{}) { // the sums have the direction of what acted
+        const Vec2 sums{record.totalImpulse, record.tangentImpulse};
+        const Vec2 along = normalize(turned + impulseOf(sums, record.normal));
+        const Vec2 normal = impulseOf(normalize(Vec2{sums.x, -sums.y}), along);
+        record.normal = normal == Vec2{} ? record.normal : normal;
     }
 }
 

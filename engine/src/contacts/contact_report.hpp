@@ -4,7 +4,6 @@
 #include <kodo/collision_record.hpp>
 #include <kodo/settings.hpp>
 
-#include <span>
 #include <vector>
 
 #include "lanes/contact_lane.hpp"
@@ -18,14 +17,9 @@ bool touches(const Contact& contact, const ContactLane& lane, const Tolerances& 
 /// Ends a step for one contact: sets its touch state and phase.
 void finishContact(Contact& contact, bool touches);
 
-/// Appends the record of a finished contact, if it has a phase.
-void recordContact(const StoredContact& contact, std::vector<CollisionRecord>& out);
-
-/// Sorts records by bodies and parts; of one pair, End comes before Begin.
-void sortRecords(std::vector<CollisionRecord>& records);
-
-/// Merges records of removed contacts into those of a step, in order.
-void addInOrder(std::span<const CollisionRecord> more, std::vector<CollisionRecord>& records);
+/// Appends the record of a finished contact, if it has a phase. `turned`: see StepRecords::turned.
+void recordContact(const StoredContact& contact, std::vector<CollisionRecord>& out,
+                   Vec2 turned = {});
 
 /// End record of a contact that has stopped touching.
 CollisionRecord endOf(const Contact& contact);

@@ -95,8 +95,8 @@ void completeContact(Contact& contact, const Bodies& bodies) {
 
 /// Of all lists the one of all records is stored; those of begins and ends follow from it.
 void StepRecords::visitState(StateStream& stream, const Source& source) {
-    auto& [allDue, eventsDue, toggled, allRecords, begun, ended, removed, ends, nextEnds, slots] =
-        *this;
+    auto& [allDue, eventsDue, toggled, turned, allRecords, begun, ended, removed, ends, nextEnds,
+           slots] = *this;
     std::vector<CollisionRecord> due;
     if (allDue) { // only of a World that is written
         list(source, due);

@@ -19,7 +19,7 @@ namespace {
 constexpr Real kSamePlace = 16;         // slops, largest distance
 constexpr Real kSameShare = Real(0.5);  // of the core radius of the thinner part, largest distance
 constexpr Real kSameNormal = Real(0.9); // least cosine between the normals
-constexpr int kNoPoint = -1;
+constexpr int kNoPoint = 2;
 
 /// Distance of two points (m), measured on the body where it is smaller.
 Real distanceOf(const ManifoldPoint& p, const ManifoldPoint& q) {
@@ -74,24 +74,22 @@ void matchPlaces(const Manifold& manifold, const Manifold& old, Real near,
 }
 
 /// Replaces the manifold. Matched points within `near` (m) take over the impulses of the old ones.
+/// Sums of the step, which a record tells, stay with the pair.
 void replaceManifold(Contact& contact, const ContactLane& lane, const Manifold& manifold,
                      Real near) {
     const Manifold& old = contact.manifold;
     lane.setSeparations(manifold);
-    if (old.count == 0 && manifold.count == 0) {
-        contact.manifold = manifold;
-        return;
-    }
     std::array<int, 2> former = matchFeatures(manifold, old);
     matchPlaces(manifold, old, near, former);
     const auto carry = [&](Real& first, Real& second) {
-        const Real before[] = {first, second};
-        first = former[0] == kNoPoint ? Real(0) : before[former[0]];
-        second = former[1] == kNoPoint ? Real(0) : before[former[1]];
+        const Real before[] = {first, second, 0};
+        first = before[former[0]];
+        second = before[former[1]];
+        return before[0] + before[1] - (first + second); // of points that are gone
     };
     carry(lane.impulse(0), lane.impulse(1));
-    carry(lane.impact(0), lane.impact(1));
-    carry(lane.largest(0), lane.largest(1));
+    lane.impact(0) += std::max(carry(lane.impact(0), lane.impact(1)), Real(0));
+    lane.largest(0) = std::max(lane.largest(0), carry(lane.largest(0), lane.largest(1)));
     contact.manifold = manifold;
     if (manifold.count == 0) {
         lane.stopSliding();

@@ -144,7 +144,7 @@ void ContactSet::finishContact(std::uint32_t slot, bool touchesInRow, const Tole
     Contact& contact = contacts()[slot];
     const bool before = contact.wasTouching;
     kodo::finishContact(contact, summary.inPasses()
-                                     ? touchesInRow
+                                     ? touchesInRow || store_.lane(slot).impacts() > 0
                                      : touches(contact, store_.lane(slot), tolerances));
     summary.wasTouching = contact.touching;
     summary.settled = !contact.phase || contact.phase == TouchPhase::Persist;

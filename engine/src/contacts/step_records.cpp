@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
+#include <tuple>
 #include <utility>
 
 namespace kodo {
@@ -19,12 +20,21 @@ void appendIf(std::span<const CollisionRecord> records, std::vector<CollisionRec
     std::copy_if(records.begin(), records.end(), std::back_inserter(out), accept);
 }
 
+/// By bodies and parts; of one pair, End comes before Begin.
+bool isBefore(const CollisionRecord& first, const CollisionRecord& second) {
+    const auto key = [](const CollisionRecord& r) {
+        return std::make_tuple(r.a, r.partA, r.b, r.partB, r.phase != TouchPhase::End);
+    };
+    return key(first) < key(second);
+}
+
 } // namespace
 
 void StepRecords::begin() {
     allDue_ = false;
     eventsDue_ = false;
     toggled_.clear();
+    turned_.clear();
     removed_.clear();
 }
 
@@ -42,8 +52,25 @@ void StepRecords::finish(bool enabled) {
 
 void StepRecords::keep(const StoredContact& contact) {
     if (allDue_) {
-        recordContact(contact, removed_);
+        write(contact, removed_);
     }
+}
+
+void StepRecords::turned(const ContactKey& key, Vec2 less) {
+    if (less != Vec2{}) {
+        auto at = std::lower_bound(turned_.begin(), turned_.end(), Turned{key, less});
+        if (at == turned_.end() || at->key != key) {
+            at = turned_.insert(at, {key, {}});
+        }
+        at->less += less;
+    }
+}
+
+/// Appends the record of a finished contact, if it has a phase.
+void StepRecords::write(const StoredContact& contact, std::vector<CollisionRecord>& out) const {
+    const auto at = std::lower_bound(turned_.begin(), turned_.end(), Turned{contact.key, {}});
+    const bool found = at != turned_.end() && at->key == contact.key;
+    recordContact(contact, out, found ? at->less : Vec2{});
 }
 
 void StepRecords::addEnd(const Contact& contact) {
@@ -51,23 +78,24 @@ void StepRecords::addEnd(const Contact& contact) {
 }
 
 std::span<const CollisionRecord> StepRecords::all(const Source& source) {
-    if (std::exchange(allDue_, false)) {
+    if (allDue_) {
         list(source, all_);
+        allDue_ = false;
     }
     return all_;
 }
 
-/// Writes all records to an empty list.
-void StepRecords::list(const Source& source, std::vector<CollisionRecord>& records) const {
-    records.reserve(source.store.capacity() + removed_.size() + ends_.size());
-    const std::span<const Contact> contacts = source.store.contacts();
-    source.store.forEachInOrder([&](std::uint32_t slot) {
-        if (contacts[slot].phase) {
-            recordContact(source.store.copyOf(slot, source.bodies), records);
-        }
-    });
-    addInOrder(removed_, records);
-    addInOrder(ends_, records);
+/// Appends all records, which are due.
+void StepRecords::list(const Source& source, std::vector<CollisionRecord>& records) {
+    const auto findAll = [&](std::vector<std::uint32_t>& slots) {
+        source.store.forEachInOrder([&](std::uint32_t slot) {
+            if (source.store.contacts()[slot].phase) {
+                slots.push_back(slot);
+            }
+        });
+    };
+    select(
+        findAll, [](const CollisionRecord&) { return true; }, source, records);
 }
 
 /// Appends the records of the last step for which accept(record) is true, in order. find(slots)
@@ -90,14 +118,14 @@ void StepRecords::select(Find find, Accept accept, const Source& source,
     }
     reserveReusing(out, slots_.size());
     for (const std::uint32_t slot : slots_) {
-        recordContact(source.store.copyOf(slot, source.bodies), out);
+        write(source.store.copyOf(slot, source.bodies), out);
     }
     std::erase_if(out, std::not_fn(accept));
     const std::size_t inOrder = out.size();
     appendIf(removed_, out, accept);
     appendIf(ends_, out, accept);
     if (out.size() > inOrder) {
-        sortRecords(out);
+        std::sort(out.begin(), out.end(), isBefore); // total order: a pair has End, Begin, or both
     }
 }
 

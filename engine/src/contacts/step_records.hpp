@@ -39,6 +39,9 @@ public:
     void finish(bool enabled);
     /// Keeps the record of a contact that is about to be removed.
     void keep(const StoredContact& contact);
+    /// The normal of a contact with impulses changes within the step. `less`: their sums along the
+    /// old normal minus those along the new one (N s).
+    void turned(const ContactKey& key, Vec2 less);
     /// A touching contact was removed: it gets an End record in the next step.
     void addEnd(const Contact& contact);
     /// Slots of the contacts that began or ended in the last step.
@@ -46,14 +49,21 @@ public:
     void visitState(StateStream& stream, const Source& source);
 
 private:
-    void list(const Source& source, std::vector<CollisionRecord>& records) const;
+    struct Turned {
+        ContactKey key;
+        Vec2 less; // N s
+        bool operator<(const Turned& other) const { return key < other.key; }
+    };
+    void list(const Source& source, std::vector<CollisionRecord>& records);
     template <typename Find, typename Accept>
     void select(Find find, Accept accept, const Source& source, std::vector<CollisionRecord>& out);
     void writeEvents(const Source& source);
+    void write(const StoredContact& contact, std::vector<CollisionRecord>& out) const;
 
     bool allDue_ = false;    // all_ is not written yet; it follows from the contacts
     bool eventsDue_ = false; // begun_ and ended_ are not written yet
     std::vector<std::uint32_t> toggled_;
+    std::vector<Turned> turned_; // in the order of keys
     std::vector<CollisionRecord> all_;
     std::vector<CollisionRecord> begun_;
     std::vector<CollisionRecord> ended_;

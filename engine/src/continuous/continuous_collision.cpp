@@ -5,6 +5,7 @@
 
 #include "base/prefetch.hpp"
 #include "base/vector_reuse.hpp"
+#include "contacts/contact_update.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -377,10 +378,7 @@ bool ContinuousCollision::meet(const Bodies& bodies, Contact& contact, const Con
     lane.setSeparations(met);
     contact.filled = false;
     contact.centerA = a.position;
-    const ManifoldPoint& point = met.points[0];
-    const Vec2 relative = velocityAt(bodies.motion[key.bodyB], point.armB) -
-                          velocityAt(bodies.motion[key.bodyA], point.armA);
-    lane.approachSpeed() = std::max(-dot(met.normal, relative), Real(0));
+    measureApproach(contact, lane, bodies);
     return true;
 }
 

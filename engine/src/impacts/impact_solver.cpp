@@ -352,7 +352,7 @@ void ImpactSolver::solveGroup(const Inputs& inputs) {
     for (const std::uint32_t slot : group_) {
         Contact& contact = store.change(slot, bodies);
         const ContactLane lane = store.lane(slot);
-        if (contact.bounces && lane.relativeDisplacement() > 0) {
+        if (contact.bounces && lane.relativeDisplacement() > 0 && lane.impacts() == 0) {
             // Arms that are off by this would change the angular momentum.
             findContact(contact, lane, bodies, inputs.tolerances, inputs.dt);
             contact.filled = false;

@@ -49,6 +49,11 @@ struct ContactNumbers {
     bool sliding = false; // with the kinetic coefficient, if that is below the static one
 };
 
+/// Impulse (N s) of the sums along a normal and along perp(normal).
+constexpr Vec2 impulseOf(Vec2 sums, Vec2 normal) {
+    return sums.x * normal + sums.y * perp(normal);
+}
+
 /// The lane of a contact in the passes. Lanes are numbered through all blocks.
 struct ContactRow {
     static constexpr std::uint32_t kNone = ~std::uint32_t{};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "soft/manifold_refresh.hpp"
 
+#include "collide/time_of_impact.hpp"
 #include "contacts/contact_update.hpp"
 
 #include <algorithm>
@@ -32,61 +33,28 @@ Real wayOf(const Bodies& bodies, const ContactSummary& summary, Real h) {
                 std::abs(b.angularVelocity) * bodies.extent[summary.bodyB].rotationReach);
 }
 
-/// A body at its present pose, until the end of the scope.
-class Moved {
-public:
-    Moved(Bodies& bodies, std::uint32_t body) : pose_(&bodies.pose[body]), start_(*pose_) {
-        const BodyVelocity& motion = bodies.motion[body];
-        pose_->position += motion.deltaPosition;
-        pose_->rotation = turned(pose_->rotation, motion.deltaAngle);
-    }
-    ~Moved() { *pose_ = start_; }
-    Moved(const Moved&) = delete;
-    Moved& operator=(const Moved&) = delete;
-
-private:
-    Transform* pose_;
-    Transform start_;
-};
-
-/// Sums of the step, which a record tells, stay with the pair when their points are gone.
-void keepSums(const ContactLane& lane, const ContactNumbers& before) {
-    const auto& [first, second] = before.impulse;
-    const Real impact = first.impact + second.impact - (lane.impact(0) + lane.impact(1));
-    lane.impact(0) += std::max(impact, Real(0));
-    const Real largest = first.largest + second.largest - (lane.largest(0) + lane.largest(1));
-    lane.largest(0) = std::max({lane.largest(0), largest, lane.impact(0)}); // of one group
-}
-
 } // namespace
-
-/// Lists the bodies of the group that a rotation moves: not discs about their centres.
-void ManifoldRefresh::listTurning(const Step& step, std::span<const std::uint32_t> bodies) {
-    turning_.clear();
-    for (const std::uint32_t body : bodies) {
-        const auto& [reach, core] = step.bodies.extent[body];
-        if (reach > 0) {
-            turning_.push_back({body, allowedWay(core, step.tolerances.slop) / reach, 0, 0});
-        }
-    }
-}
 
 /// Lists the contacts of bodies that have turned too far. A further point comes along the tangent,
 /// by reach times angle. Where a manifold has all its points, the arcs of these alone leave it, by
 /// half of reach times angle squared.
-void ManifoldRefresh::findTurned(const Step& step, std::span<const std::uint32_t> bodies,
-                                 bool first) {
+void ManifoldRefresh::findTurned(const Step& step, std::span<const std::uint32_t> bodies) {
     if (std::exchange(anySpins_, std::uint8_t{0}) == 0) {
         return;
     }
     if (!std::exchange(listed_, true)) {
-        listTurning(step, bodies);
+        turning_.clear();
+        for (const std::uint32_t body : bodies) { // but for discs about their centres
+            if (const auto& [reach, core] = step.bodies.extent[body]; reach > 0) {
+                turning_.push_back({body, allowedWay(core, step.tolerances.slop) / reach, 0, 0});
+            }
+        }
     }
     const ContactStore& store = step.contactSet.store();
     for (Turning& turning : turning_) {
         const BodyVelocity& motion = step.bodies.motion[turning.body];
         const Real turn =
-            first ? step.h * motion.angularVelocity : motion.deltaAngle - turning.atGaining;
+            step.first ? step.h * motion.angularVelocity : motion.deltaAngle - turning.atGaining;
         if (!(std::abs(turn) > turning.allowed && std::abs(motion.angularVelocity) > spin_)) {
             continue;
         }
@@ -126,21 +94,26 @@ void ManifoldRefresh::find(const Step& step, std::uint32_t slot) {
     const Tolerances& tolerances = step.tolerances;
     const ContactEntry entry = contactSet.store().entry(slot);
     Contact& contact = entry.contact;
+    const auto [bodyA, partA, bodyB, partB] = contact.key;
     const ContactLane lane = contactSet.store().lane(slot);
     if (std::exchange(entry.summary.kept, false)) { // not visited in this step
-        contact.centerA = bodies.start[entry.summary.bodyA];
+        contact.centerA = bodies.start[bodyA];
     }
     const Contact old = contact;
     const ContactNumbers numbers = lane.numbers();
-    const BodyVelocity& a = bodies.motion[entry.summary.bodyA];
-    const BodyVelocity& b = bodies.motion[entry.summary.bodyB];
-    const Moved movedA(bodies, entry.summary.bodyA);
-    const Moved movedB(bodies, entry.summary.bodyB);
+    const BodyVelocity& a = bodies.motion[bodyA];
+    const BodyVelocity& b = bodies.motion[bodyB];
+    const Transform startA = bodies.pose[bodyA];
+    const Transform startB = bodies.pose[bodyB];
+    bodies.pose[bodyA] = MotionPath{startA, a.deltaPosition, a.deltaAngle}.at(1);
+    bodies.pose[bodyB] = MotionPath{startB, b.deltaPosition, b.deltaAngle}.at(1);
     Tolerances wider = tolerances;
     wider.margin += wayOf(bodies, entry.summary, step.h);
     findContact(contact, lane, bodies, wider, step.dt);
-    const Real core = std::min(bodies.extent[entry.summary.bodyA].coreRadius,
-                               bodies.extent[entry.summary.bodyB].coreRadius);
+    const Vec2 centerA = bodies.pose[bodyA].position;
+    bodies.pose[bodyA] = startA;
+    bodies.pose[bodyB] = startB;
+    const Real core = std::min(bodies.extent[bodyA].coreRadius, bodies.extent[bodyB].coreRadius);
     const Real deepest = leastOf(separationsOf(contact.manifold), contact.manifold.count);
     const bool passed =
         old.manifold.count > 0 &&
@@ -150,8 +123,11 @@ void ManifoldRefresh::find(const Step& step, std::uint32_t slot) {
         lane = numbers;
         return;
     }
-    keepSums(lane, numbers);
-    contact.centerA = bodies.pose[entry.summary.bodyA].position;
+    // What acted so far acted along the old normal.
+    const Vec2 sums{lane.impacts() + (step.first ? Real(0) : lane.total(0)), lane.total(1)};
+    contactSet.records().turned(contact.key, impulseOf(sums, old.manifold.normal) -
+                                                 impulseOf(sums, contact.manifold.normal));
+    contact.centerA = centerA;
     const Vec2 n = contact.manifold.normal;
     const Real moved = dot(n, b.deltaPosition - a.deltaPosition);
     for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
@@ -161,6 +137,7 @@ void ManifoldRefresh::find(const Step& step, std::uint32_t slot) {
     }
     lane.expire();
     entry.summary.mayTouch = true;
+    entry.summary.settled = false; // an impact may have opened a gap
 }
 
 void ManifoldRefresh::apply(const Step& step, std::uint32_t slot, Real times) {

@@ -29,6 +29,7 @@ public:
     struct Step : StepInput {
         Real h;                                  // s, of the substep
         std::span<const std::uint32_t> arriving; // Refinement::arriving()
+        bool first; // substep: sums but those of impacts are still of the last step
     };
     /// Reserves room for all bodies.
     void makeRoom(const Bodies& bodies) { turning_.reserve(bodies.record.capacity()); }
@@ -44,13 +45,13 @@ public:
     /// `isSolved(summary)` is true for a contact that may have a row among them.
     template <typename IsSolved>
     std::span<const std::uint32_t> list(const Step& step, std::span<const std::uint32_t> bodies,
-                                        bool first, IsSolved isSolved) {
+                                        IsSolved isSolved) {
         slots_.clear();
-        if (first) {
+        if (step.first) {
             listed_ = false;
             findFast(step);
         }
-        findTurned(step, bodies, first);
+        findTurned(step, bodies);
         std::erase_if(slots_, [&](std::uint32_t slot) {
             const ContactSummary& summary = step.contactSet.summaries()[slot];
             const Real thicker = std::max(step.bodies.extent[summary.bodyA].coreRadius,
@@ -76,8 +77,7 @@ private:
         Real atGaining; // rad, deltaAngle at the last look at contacts that may gain a point
         Real atAll;     // rad, the same for all contacts
     };
-    void listTurning(const Step& step, std::span<const std::uint32_t> bodies);
-    void findTurned(const Step& step, std::span<const std::uint32_t> bodies, bool first);
+    void findTurned(const Step& step, std::span<const std::uint32_t> bodies);
     void findFast(const Step& step);
 
     std::vector<Turning> turning_;

@@ -250,7 +250,7 @@ void SoftSolver::refreshManifolds(Substeps& run, bool first) {
     }
     Bodies& bodies = run.bodies;
     ContactStore& store = run.contactSet.store();
-    const ManifoldRefresh::Step step{run, run.jointPass.h, refinement_.arriving()};
+    const ManifoldRefresh::Step step{run, run.jointPass.h, refinement_.arriving(), first};
     const bool restitution = run.settings.has(Feature::Restitution);
     const auto isSolved = [&](std::uint32_t body) {
         return bodies.isStill(body) ||
@@ -258,7 +258,7 @@ void SoftSolver::refreshManifolds(Substeps& run, bool first) {
                 (bodies.locked(body) || refinement_.levelOf(body) == run.level));
     };
     const std::span<const std::uint32_t> slots =
-        manifoldRefresh_.list(step, groups_[run.level].bound, first, [&](const ContactSummary& s) {
+        manifoldRefresh_.list(step, groups_[run.level].bound, [&](const ContactSummary& s) {
             return isSolved(s.bodyA) && isSolved(s.bodyB) &&
                    (!(s.bounces && restitution) || s.inPasses());
         });
