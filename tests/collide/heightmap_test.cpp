@@ -112,6 +112,72 @@ TEST(HeightmapContact, OfABallAgreesWithTheWholeGround) {
     EXPECT_GT(touching, 3000);
 }
 
+bool cross(const LongPoint& a, const LongPoint& b, const LongPoint& c, const LongPoint& d) {
+    return cross(b - a, c - a) * cross(b - a, d - a) <= 0 &&
+           cross(d - c, a - c) * cross(d - c, b - c) <= 0;
+}
+
+/// Distance of a core above the ground; negative if they cross or the core is below.
+long double coreGap(const std::vector<ConvexShape>& cells, const ConvexShape& core,
+                    const Transform& at) {
+    long double nearest = std::numeric_limits<long double>::infinity();
+    const std::size_t n = core.vertices.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        const LongPoint p = support::widened(at * core.vertices[i]);
+        const LongPoint q = support::widened(at * core.vertices[(i + 1) % n]);
+        if (heightOver(cells, p) <= 0) {
+            return -1;
+        }
+        for (const ConvexShape& cell : cells) {
+            const LongPoint from = support::widened(cell.vertices[0]);
+            const LongPoint to = support::widened(cell.vertices[1]);
+            if (cross(p, q, from, to)) {
+                return -1;
+            }
+            nearest = std::min({nearest, support::toSegment(p, from, to),
+                                support::toSegment(from, p, q), support::toSegment(to, p, q)});
+        }
+    }
+    return nearest;
+}
+
+// Regression: capsules, rounded boxes and rounded polygons had no contact with hilltops and free
+// ends that their corners were nearest to, sank in by their radius, and passed when they were fast.
+TEST(HeightmapContact, OfARoundedShapeAgreesWithTheWholeGround) {
+    support::RandomNumbers random(132);
+    int touching = 0;
+    for (int i = 0; i < 10000 && !testing::Test::HasFatalFailure(); ++i) {
+        SCOPED_TRACE(testing::Message() << "place " << i);
+        const std::vector<ConvexShape> cells = cellsOf(hills(random, 1));
+        const Real radius = random.between(0.1, 0.4);
+        const Real half = random.between(0.1, 0.6);
+        const Primitive kinds[] = {Capsule{{-half, 0}, {half, 0}, radius},
+                                   Box{half, 2 * half, {}, {}, radius},
+                                   Polygon{{{-half, 0}, {half, 0}, {0, half}}, radius}};
+        const ConvexShape shape = convexShapeOf(kinds[random.below(3)], {});
+        const ConvexShape& cell = cells[6 + random.below(cells.size() - 12)];
+        const Transform at{cell.middle + random.between(0, 1) * (half + radius) * cell.normals[1] +
+                               random.point(0.2),
+                           random.rotation()};
+        const long double core = coreGap(cells, shape, at);
+        if (core < 0.02L) {
+            continue;
+        }
+        const long double gap = core - static_cast<long double>(radius);
+        const Manifold manifold = deepest(cells, shape, at, kMargin);
+        // Faces that are parallel within 0.01 rad remain in contact as faces.
+        constexpr long double kParallel = 5e-5L;
+        if (std::abs(gap - static_cast<long double>(kMargin)) > kParallel) {
+            ASSERT_EQ(manifold.count > 0, gap < static_cast<long double>(kMargin)) << gap;
+        }
+        if (manifold.count > 0) {
+            ASSERT_TRUE(near(manifold.points[0].separation, gap, kParallel));
+            ++touching;
+        }
+    }
+    EXPECT_GT(touching, 3000);
+}
+
 /// True if the ground has this normal: that of a cell, or one between those of two cells at a
 /// hilltop.
 bool isOfTheGround(const std::vector<ConvexShape>& cells, Vec2 normal) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "collide/faces.hpp"
 
-#include "collide/core_gap.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -51,7 +49,8 @@ bool isBeyondEdges(const ConvexShape& shape, std::size_t vertex, Vec2 direction)
            dot(direction, perp(shape.normals[before])) >= 0;
 }
 
-/// Two corners, rounded by the radii of their shapes.
+} // namespace
+
 Manifold collideCorners(Placed a, Placed b, const CoreGap& gap, Real margin) {
     const Real separation = gap.distance - (a.shape.radius + b.shape.radius);
     if (separation > margin) {
@@ -65,9 +64,6 @@ Manifold collideCorners(Placed a, Placed b, const CoreGap& gap, Real margin) {
     return manifold;
 }
 
-/// True if the contact over a gap is between two corners. Faces that are nearly parallel remain in
-/// contact as faces where the gap is between their ends: its normal is then between theirs, which
-/// are given in the frame of the gap.
 bool isOfCorners(const CoreGap& gap, Placed a, Placed b, Vec2 faceA, Vec2 faceB) {
     if (!gap.ofVertices || !isClear(gap, a.shape, b.shape)) {
         return false;
@@ -83,6 +79,8 @@ bool isOfCorners(const CoreGap& gap, Placed a, Placed b, Vec2 faceA, Vec2 faceB)
     const Real rounding = roundingOf(a.shape, b.shape) / gap.distance;
     return !(parallel && std::abs(cross(gap.normal, faceA)) <= turn + rounding);
 }
+
+namespace {
 
 Manifold collideEnds(Placed a, Placed b, const EndAxis& axis) {
     Manifold manifold;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "collide/core_gap.hpp"
 #include "collide/manifold.hpp"
 #include "collide/sat.hpp"
 
@@ -29,6 +30,13 @@ Manifold clipAgainstFace(Placed a, Placed b, const Transform& ab, const FaceAxis
 /// of b.
 Manifold clipAgainstFaceOfB(Placed a, Placed b, const Transform& ba, const FaceAxis& axis,
                             Real margin, BeyondEnds beyond = BeyondEnds::DeepestCorner);
+
+/// True if the contact over a gap is between two corners. Faces that are nearly parallel remain in
+/// contact as faces where the gap is between their ends: its normal is then between theirs, which
+/// are given in the frame of the gap.
+bool isOfCorners(const CoreGap& gap, Placed a, Placed b, Vec2 faceA, Vec2 faceB);
+/// Two corners, rounded by the radii of their shapes.
+Manifold collideCorners(Placed a, Placed b, const CoreGap& gap, Real margin);
 
 /// Shapes with faces: polygons and two-sided lines.
 Manifold collideFaces(const ConvexShape& shapeA, const Transform& a, const ConvexShape& shapeB,

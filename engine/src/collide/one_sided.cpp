@@ -159,6 +159,20 @@ Manifold collideWithFaces(const ConvexShape& line, const Transform& a, const Con
     if (front.separation > reach || face.separation > reach) {
         return manifold;
     }
+    if (other.radius > 0 && !manifold.fromBehind) {
+        const CoreGap gap = gapOfCores(line, other, ab);
+        const Vec2 arm = middle - line.vertices[gap.vertexA];
+        if (isOfCorners(gap, {line, a}, {other, b}, normal,
+                        ab.rotation * other.normals[face.face])) {
+            if (ownsDirection(line, gap.vertexA, gap.normal) &&
+                dot(gap.normal, arm) >= -sinkOf(other, limits)) {
+                return collideCorners({line, a}, {other, b}, gap, margin);
+            }
+            if (!isFree(line, gap.vertexA)) {
+                return manifold;
+            }
+        }
+    }
     if (face.separation > front.separation + limits.preference) {
         const Vec2 direction = -(ab.rotation * other.normals[face.face]);
         const std::size_t end = endTowards(line, direction);

@@ -285,7 +285,7 @@ void ContinuousCollision::findTime(const Step& step, std::uint32_t i, Real from)
     const auto hangs = [&] { return time * motion <= slop / 32; };
     if ((gap > slop || unheld) && hangs()) {
         time = timeFrom(0, std::nullopt);
-        time = (unheld || contact.manifold.count == 0) && hangs() ? Real(1) : time;
+        time = unheld && hangs() ? Real(1) : time;
     }
     if (contact.hidden && time < 1 && !meetsSurface(step, contact, time)) {
         time = 1;
