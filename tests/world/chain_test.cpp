@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A body on a chain moves as on one surface: exact path, no energy from nothing, nothing passes.
 #include "support/solver.hpp"
+#include <kodo/query.hpp>
 #include <kodo/world.hpp>
 #include <support/draws.hpp>
 #include <support/random_numbers.hpp>
@@ -232,6 +233,48 @@ TEST(Chain, AClosedTwoSidedChainHoldsWhatIsInside) {
     support::run(world, 600);
     for (const BodyId body : inside) {
         EXPECT_LT(length(world[body].center()), 3);
+    }
+}
+
+// Regression: what is rounded but no circle sank by its radius where a corner of its core came down
+// on a hilltop, a corner of a closed chain or a free end, and passed when it was fast.
+TEST(Chain, RoundedShapesLandOnHilltopsCornersAndEnds) {
+    const Real half = Real(0.4);
+    const Real radius = Real(0.3);
+    const Shape bodies[] = {Capsule{{0, -half}, {0, half}, radius},
+                            Box{Real(0.2), 2 * half, {}, {}, radius},
+                            Polygon{{{0, -half}, {half, half}, {-half, half}}, radius}};
+    const Shape grounds[] = {
+        Heightmap{{-10, -2}, 10, {0, 2, 0}},
+        Chain{.points = {{-10, Real(-0.5)}, {0, 0}, {10, Real(-0.5)}}},
+        Chain{.points = {{10, 0}, {0, 0}, {0, -4}, {10, -4}}, .closed = true, .oneSided = true},
+        Chain{.points = {{0, 0}, {5, 0}, {10, 0}}}};
+    for (const StepSettings& settings : {balanced(), thesis2006()}) {
+        for (const int rate : {30, 60, 120, 240}) {
+            for (const Shape& ground : grounds) {
+                for (const Shape& shape : bodies) {
+                    const Real width = std::holds_alternative<Box>(shape) ? Real(0.1) : Real(0);
+                    for (int i = 0; i < 10; ++i) {
+                        World world({.gravity = {0, -10}, .settings = settings});
+                        const BodyId floor = world.add({.shape = ground, .type = BodyType::Static});
+                        const BodyId body =
+                            world.add({.shape = shape,
+                                       .position = {Real(i) / 50, half + radius + Real(0.3)},
+                                       .flags = kLockRotate});
+                        Real lowest = 1;
+                        for (int k = 0; k < rate; ++k) {
+                            world.step(Real(1) / static_cast<Real>(rate));
+                            for (const Real x : {-width, width}) {
+                                const Vec2 corner = world[body].toWorld({x, -half});
+                                const Real apart = closestPoint(world[floor], corner).distance;
+                                lowest = std::min(lowest, apart - radius);
+                            }
+                        }
+                        ASSERT_GT(lowest, Real(-0.03)) << rate << " Hz, body " << i;
+                    }
+                }
+            }
+        }
     }
 }
 

@@ -13,25 +13,6 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
 
-Manifold collideRound(const ConvexShape& shapeA, const Transform& a, const ConvexShape& shapeB,
-                      const Transform& b, Real margin) {
-    const Vec2 centerA = a.rotation * shapeA.vertices[0];
-    const Vec2 centerB = b.rotation * shapeB.vertices[0];
-    const Vec2 d = centerB + (b.position - a.position) - centerA;
-    const Real distance = length(d);
-    const Real gap = distance - shapeA.radius - shapeB.radius;
-    Manifold manifold;
-    if (gap > margin) {
-        return apart(gap);
-    }
-    // Concentric circles have no unique normal.
-    manifold.normal = distance > 0 ? d / distance : a.rotation.yAxis();
-    manifold.points[0] = {centerA + (shapeA.radius + gap / 2) * manifold.normal,
-                          centerB - (shapeB.radius + gap / 2) * manifold.normal, gap, 0};
-    manifold.count = 1;
-    return manifold;
-}
-
 Manifold collideFacesRound(const ConvexShape& sided, const Transform& a, const ConvexShape& circle,
                            const Transform& b, Real margin) {
     const Transform ab = between(a, b);
@@ -141,23 +122,12 @@ Separation betweenFaces(const ConvexShape& shapeA, const Transform& a, const Con
         best = {-(b.rotation * shapeB.normals[faceB.face]), faceB.separation};
     }
     const Real radii = shapeA.radius + shapeB.radius;
-    if (radii > 0) {
+    if (radii > 0 || (shapeA.isLine() && shapeB.isLine())) {
         const CoreGap gap = gapOfCores(shapeA, shapeB, between(a, b));
         if (gap.distance > best.distance && isClear(gap, shapeA, shapeB)) {
             best = {a.rotation * gap.normal, gap.distance};
         }
         best.distance -= radii;
-        return best;
-    }
-    if (shapeA.isLine() && shapeB.isLine()) {
-        const EndAxis endA = beyondEnd(shapeA, shapeB, between(a, b));
-        const EndAxis endB = beyondEnd(shapeB, shapeA, between(b, a));
-        if (endA.separation > std::max(best.distance, Real(0))) {
-            best = {a.rotation * endA.axis, endA.separation};
-        }
-        if (endB.separation > std::max(best.distance, Real(0))) {
-            best = {-(b.rotation * endB.axis), endB.separation};
-        }
     }
     return best;
 }
@@ -172,7 +142,7 @@ Manifold collide(const ConvexShape& shapeA, const Transform& a, const ConvexShap
 Manifold collideAhead(const ConvexShape& shapeA, const Transform& a, const ConvexShape& shapeB,
                       const Transform& b, const ContactLimits& limits) {
     if (shapeA.isRound() && shapeB.isRound()) {
-        return collideRound(shapeA, a, shapeB, b, limits.margin);
+        return collideCorners({shapeA, a}, 0, {shapeB, b}, 0, limits.margin);
     }
     const bool sidedA = shapeA.kind == ConvexKind::Polygonal;
     const bool sidedB = shapeB.kind == ConvexKind::Polygonal;
@@ -198,7 +168,7 @@ Separation separation(const ConvexShape& shapeA, const Transform& a, const Conve
     }
     if (shapeA.isRound() && shapeB.isRound()) {
         const Manifold manifold =
-            collideRound(shapeA, a, shapeB, b, std::numeric_limits<Real>::max());
+            collideCorners({shapeA, a}, 0, {shapeB, b}, 0, std::numeric_limits<Real>::max());
         return {manifold.normal, manifold.points[0].separation};
     }
     if (shapeB.isRound()) {

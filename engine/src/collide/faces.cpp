@@ -51,16 +51,24 @@ bool isBeyondEdges(const ConvexShape& shape, std::size_t vertex, Vec2 direction)
 
 } // namespace
 
-Manifold collideCorners(Placed a, Placed b, const CoreGap& gap, Real margin) {
-    const Real separation = gap.distance - (a.shape.radius + b.shape.radius);
-    if (separation > margin) {
-        return apart(separation);
+Manifold collideCorners(Placed a, std::size_t vertexA, Placed b, std::size_t vertexB, Real margin) {
+    const Vec2 armA = a.at.rotation * a.shape.vertices[vertexA];
+    const Vec2 armB = b.at.rotation * b.shape.vertices[vertexB];
+    const Vec2 d = armB + (b.at.position - a.at.position) - armA;
+    const Real distance = length(d);
+    const Real gap = distance - a.shape.radius - b.shape.radius;
+    if (gap > margin) {
+        return apart(gap);
     }
+    const bool round = a.shape.isRound() && b.shape.isRound();
+    const auto feature =
+        static_cast<std::uint32_t>((round ? 0 : 1u << 30) | vertexA << 12 | vertexB);
     Manifold manifold;
-    manifold.normal = a.at.rotation * gap.normal;
-    const Vec2 point = gap.onA + (a.shape.radius + separation / 2) * gap.normal;
-    const auto feature = static_cast<std::uint32_t>(1u << 30 | gap.vertexA << 12 | gap.vertexB);
-    add(manifold, {point, separation, feature}, a.at, b.at);
+    // Corners at one place have no unique normal.
+    manifold.normal = distance > 0 ? d / distance : a.at.rotation.yAxis();
+    manifold.points[0] = {armA + (a.shape.radius + gap / 2) * manifold.normal,
+                          armB - (b.shape.radius + gap / 2) * manifold.normal, gap, feature};
+    manifold.count = 1;
     return manifold;
 }
 
@@ -79,34 +87,6 @@ bool isOfCorners(const CoreGap& gap, Placed a, Placed b, Vec2 faceA, Vec2 faceB)
     const Real rounding = roundingOf(a.shape, b.shape) / gap.distance;
     return !(parallel && std::abs(cross(gap.normal, faceA)) <= turn + rounding);
 }
-
-namespace {
-
-Manifold collideEnds(Placed a, Placed b, const EndAxis& axis) {
-    Manifold manifold;
-    manifold.normal = a.at.rotation * axis.axis;
-    const Vec2 point = a.shape.vertices[axis.end] + (axis.separation / 2) * axis.axis;
-    const auto feature = static_cast<std::uint32_t>(1u << 30 | axis.end);
-    add(manifold, {point, axis.separation, feature}, a.at, b.at);
-    return manifold;
-}
-
-/// Two lines, where their ends determine the separating axis. False if they do not.
-bool endsDecide(Placed a, Placed b, Real margin, Real least, Manifold& manifold) {
-    const EndAxis endA = beyondEnd(a.shape, b.shape, between(a.at, b.at));
-    const EndAxis endB = beyondEnd(b.shape, a.shape, between(b.at, a.at));
-    if (std::max(endA.separation, endB.separation) <= std::max(least, Real(0))) {
-        return false;
-    }
-    if (endA.separation > margin || endB.separation > margin) {
-        return true;
-    }
-    manifold = endA.separation >= endB.separation ? collideEnds(a, b, endA)
-                                                  : swapped(collideEnds(b, a, endB));
-    return true;
-}
-
-} // namespace
 
 std::size_t incidentEdge(const ConvexShape& b, std::size_t vertex, Vec2 normalInB) {
     const std::size_t before = vertex == 0 ? b.vertices.size() - 1 : vertex - 1;
@@ -178,38 +158,17 @@ Manifold collideFaces(const ConvexShape& shapeA, const Transform& a, const Conve
     if (faceB.separation > reach) {
         return apart(faceB.separation - radii);
     }
-    if (radii > 0) {
+    if (radii > 0 || (shapeA.isLine() && shapeB.isLine())) {
         const CoreGap gap = gapOfCores(shapeA, shapeB, ab);
         if (isOfCorners(gap, {shapeA, a}, {shapeB, b}, shapeA.normals[faceA.face],
                         ab.rotation * shapeB.normals[faceB.face])) {
-            return collideCorners({shapeA, a}, {shapeB, b}, gap, margin);
-        }
-    }
-    if (shapeA.isLine() && shapeB.isLine()) {
-        const Real least = std::max(faceA.separation, faceB.separation) + preference;
-        Manifold manifold;
-        if (endsDecide({shapeA, a}, {shapeB, b}, margin, least, manifold)) {
-            return manifold;
+            return collideCorners({shapeA, a}, gap.vertexA, {shapeB, b}, gap.vertexB, margin);
         }
     }
     if (faceB.separation > faceA.separation + preference) {
         return clipAgainstFaceOfB({shapeA, a}, {shapeB, b}, ba, faceB, margin);
     }
     return clipAgainstFace({shapeA, a}, {shapeB, b}, ab, faceA, margin);
-}
-
-EndAxis beyondEnd(const ConvexShape& a, const ConvexShape& b, const Transform& ab) {
-    const Vec2 along = -perp(a.normals[1]);
-    Real low = dot(along, ab * b.vertices[0]);
-    Real high = low;
-    for (const Vec2 vertex : b.vertices) {
-        const Real at = dot(along, ab * vertex);
-        low = std::min(low, at);
-        high = std::max(high, at);
-    }
-    const Real beforeStart = dot(along, a.vertices[0]) - high;
-    const Real pastEnd = low - dot(along, a.vertices[1]);
-    return beforeStart >= pastEnd ? EndAxis{-along, beforeStart, 0} : EndAxis{along, pastEnd, 1};
 }
 
 } // namespace KODO_PRECISION

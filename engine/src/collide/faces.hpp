@@ -35,22 +35,13 @@ Manifold clipAgainstFaceOfB(Placed a, Placed b, const Transform& ba, const FaceA
 /// contact as faces where the gap is between their ends: its normal is then between theirs, which
 /// are given in the frame of the gap.
 bool isOfCorners(const CoreGap& gap, Placed a, Placed b, Vec2 faceA, Vec2 faceB);
-/// Two corners, rounded by the radii of their shapes.
-Manifold collideCorners(Placed a, Placed b, const CoreGap& gap, Real margin);
+/// Two corners, rounded by the radii of their shapes, and circles. In the directions of the world:
+/// swapped shapes give the opposite bits.
+Manifold collideCorners(Placed a, std::size_t vertexA, Placed b, std::size_t vertexB, Real margin);
 
 /// Shapes with faces: polygons and two-sided lines.
 Manifold collideFaces(const ConvexShape& shapeA, const Transform& a, const ConvexShape& shapeB,
                       const Transform& b, Real margin, Real preference);
-
-/// Separation of b beyond the nearer end of line a. Two nearly collinear lines are separated only
-/// along this axis, which no face normal provides. `axis`: unit, in a's frame, outwards from that
-/// end.
-struct EndAxis {
-    Vec2 axis;
-    Real separation = 0; // m
-    std::size_t end = 0; // vertex of a
-};
-EndAxis beyondEnd(const ConvexShape& a, const ConvexShape& b, const Transform& ab);
 
 } // namespace KODO_PRECISION
 } // namespace kodo

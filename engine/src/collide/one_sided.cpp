@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace kodo {
@@ -141,6 +142,39 @@ Manifold overHilltop(Placed line, Placed other, const Transform& ba, const Conta
     return clipAgainstFaceOfB(line, other, ba, best, limits.margin, BeyondEnds::Nothing);
 }
 
+/// The other end of a face whose deepest corner is beyond the line: it may come down on the line.
+/// The deeper point of the face is the vertex. The neighbour owns it, but may have no contact where
+/// it is deep.
+Manifold otherEnd(Placed line, Placed other, const Transform& ab, const FaceAxis& front,
+                  Real margin) {
+    Manifold lying = clipAgainstFace(line, other, ab, front, margin, BeyondEnds::Nothing);
+    if (lying.count < 2) {
+        return {};
+    }
+    if (lying.points[0].separation > -margin / 4) {
+        lying.points[0] = lying.points[1];
+        lying.count = 1;
+    }
+    return lying;
+}
+
+/// Contact of a rounded shape where a corner of its core and a vertex of the line are nearest;
+/// empty if the vertex belongs to the neighbour. Nothing if a face decides.
+std::optional<Manifold> overCorner(Placed line, Placed other, const Transform& ab,
+                                   const FaceAxis& face, const ContactLimits& limits) {
+    const CoreGap gap = gapOfCores(line.shape, other.shape, ab);
+    const Vec2 towards = ab.rotation * other.shape.normals[face.face];
+    if (!isOfCorners(gap, line, other, line.shape.normals[1], towards)) {
+        return std::nullopt;
+    }
+    const Vec2 arm = ab * other.shape.middle - line.shape.vertices[gap.vertexA];
+    if (ownsDirection(line.shape, gap.vertexA, gap.normal) &&
+        dot(gap.normal, arm) >= -sinkOf(other.shape, limits)) {
+        return collideCorners(line, gap.vertexA, other, gap.vertexB, limits.margin);
+    }
+    return isFree(line.shape, gap.vertexA) ? std::nullopt : std::optional(Manifold{});
+}
+
 Manifold collideWithFaces(const ConvexShape& line, const Transform& a, const ConvexShape& other,
                           const Transform& b, const ContactLimits& limits) {
     const Real margin = limits.margin;
@@ -160,17 +194,8 @@ Manifold collideWithFaces(const ConvexShape& line, const Transform& a, const Con
         return manifold;
     }
     if (other.radius > 0 && !manifold.fromBehind) {
-        const CoreGap gap = gapOfCores(line, other, ab);
-        const Vec2 arm = middle - line.vertices[gap.vertexA];
-        if (isOfCorners(gap, {line, a}, {other, b}, normal,
-                        ab.rotation * other.normals[face.face])) {
-            if (ownsDirection(line, gap.vertexA, gap.normal) &&
-                dot(gap.normal, arm) >= -sinkOf(other, limits)) {
-                return collideCorners({line, a}, {other, b}, gap, margin);
-            }
-            if (!isFree(line, gap.vertexA)) {
-                return manifold;
-            }
+        if (const auto corner = overCorner({line, a}, {other, b}, ab, face, limits)) {
+            return *corner;
         }
     }
     if (face.separation > front.separation + limits.preference) {
@@ -191,19 +216,7 @@ Manifold collideWithFaces(const ConvexShape& line, const Transform& a, const Con
                 return manifold;
             }
             if (!ownsAlong(line, ab * other.vertices[support])) {
-                // Its deepest corner is beyond this line, but the other end of that face may come
-                // down here. The deeper point of the face is the vertex. The neighbour owns it,
-                // but may have no contact where it is deep.
-                Manifold lying =
-                    clipAgainstFace({line, a}, {other, b}, ab, front, margin, BeyondEnds::Nothing);
-                if (behind || lying.count < 2) {
-                    return manifold;
-                }
-                if (lying.points[0].separation > -margin / 4) {
-                    lying.points[0] = lying.points[1];
-                    lying.count = 1;
-                }
-                return lying;
+                return behind ? manifold : otherEnd({line, a}, {other, b}, ab, front, margin);
             }
         }
         if (verdict == Verdict::Aside && front.separation < other.radius - margin / 2) {
