@@ -381,7 +381,7 @@ TEST(Trial, ABallBeginsAboveABlockAndNotInIt) {
     EXPECT_LT(ball.y, Real(7.8) + 3 * kBallRadius);
     Game full(bricks({{.x = 0, .y = 12000, .width = 2000, .height = 16000}}), 1);
     Trial::dropBall(full, {0, 12});
-    EXPECT_EQ(full.world()[full.balls()[0].body].position(), Vec2(0, 12)) << "no place is free";
+    EXPECT_EQ(full.world()[full.balls()[0].body].position(), (Vec2{0, 12})) << "no place is free";
 }
 
 TEST(Trial, ABallFromAPlaceFliesDownAndIsNotHollow) {
