@@ -112,7 +112,8 @@ TEST(HeightmapContact, OfABallAgreesWithTheWholeGround) {
     EXPECT_GT(touching, 3000);
 }
 
-bool cross(const LongPoint& a, const LongPoint& b, const LongPoint& c, const LongPoint& d) {
+/// True if the segments ab and cd meet.
+bool meet(const LongPoint& a, const LongPoint& b, const LongPoint& c, const LongPoint& d) {
     return cross(b - a, c - a) * cross(b - a, d - a) <= 0 &&
            cross(d - c, a - c) * cross(d - c, b - c) <= 0;
 }
@@ -131,7 +132,7 @@ long double coreGap(const std::vector<ConvexShape>& cells, const ConvexShape& co
         for (const ConvexShape& cell : cells) {
             const LongPoint from = support::widened(cell.vertices[0]);
             const LongPoint to = support::widened(cell.vertices[1]);
-            if (cross(p, q, from, to)) {
+            if (meet(p, q, from, to)) {
                 return -1;
             }
             nearest = std::min({nearest, support::toSegment(p, from, to),
