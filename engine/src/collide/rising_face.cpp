@@ -17,16 +17,15 @@ constexpr std::uint32_t kFirstVertexFeature = 64; // of vertices; beyond those o
 
 /// A face that begins at a vertex.
 struct Face {
-    std::size_t vertex = 0;
-    std::size_t face = 0;
-    Real facing = kLeastFacing; // cosine between the normals
+    std::size_t vertex;
+    std::size_t face;
+    Real facing; // cosine between the normals
 };
 
 /// The face that rises from a vertex at the surface dot(normal, p) = height, if any.
 std::optional<Face> risingFace(const ConvexShape& ground, Vec2 normal, Real height, Real slop) {
     const std::size_t n = ground.vertices.size();
-    Face best;
-    bool any = false;
+    std::optional<Face> best;
     for (std::size_t i = 0; i < n; ++i) {
         const Real above = dot(normal, ground.vertices[i]) - height;
         if (std::abs(above) > slop) {
@@ -36,13 +35,13 @@ std::optional<Face> risingFace(const ConvexShape& ground, Vec2 normal, Real heig
             const std::size_t face = next ? i : (i + n - 1) % n;
             const Vec2 end = ground.vertices[next ? (i + 1) % n : face];
             const Real facing = dot(normal, ground.normals[face]);
-            if (facing > best.facing && dot(normal, end - ground.vertices[i]) > 0) {
-                best = {i, face, facing};
-                any = true;
+            if (facing > (best ? best->facing : kLeastFacing) &&
+                dot(normal, end - ground.vertices[i]) > 0) {
+                best = Face{i, face, facing};
             }
         }
     }
-    return any ? std::optional(best) : std::nullopt;
+    return best;
 }
 
 /// Contact of the deepest vertex, or of a circle, with the line of a face. Body a has the face.
@@ -84,10 +83,12 @@ std::optional<Manifold> contactWithRisingFace(const ConvexShape& ground, const T
         return std::nullopt;
     }
     constexpr Real kGentle = Real(0.9); // cosine: a steep face counts once it is near
-    if (found.count == 0 && face->facing < kGentle) {
+    const Vec2 vertex = ground.vertices[face->vertex];
+    const Real apart = std::abs(cross(normal, between(a, b).position - vertex)); // along the face
+    if (found.count == 0 &&
+        (face->facing < kGentle || apart > other.boundingRadius + carrying.way)) {
         return std::nullopt;
     }
-    const Vec2 vertex = ground.vertices[face->vertex];
     const Vec2 rising = ground.normals[face->face];
     if (dot(rising, unrotate(a.rotation, found.normal)) > kSameDirection ||
         dot(rising, between(a, b) * other.middle - vertex) < 0) {

@@ -18,6 +18,7 @@ struct CarryingFace {
     Vec2 point;  // m, world: on the face
     Real slop;   // m
     Real margin; // m, as of collide()
+    Real way;    // m, by which the shape may move along it in the step
 };
 
 /// For a shape that moves along a face towards a piece of ground that rises from it: where both
@@ -27,7 +28,7 @@ struct CarryingFace {
 /// shape turns where it touches both, and loses only v sin(bend).
 ///
 /// `found`: contact of the piece (body a) with the shape (body b). Empty unless all of its points
-/// are at such a vertex; if it has none, the face must rise gently, as tiles ahead in a step do.
+/// are at such a vertex; if it has none, the face must rise gently, as tiles ahead do, in reach.
 /// Without a point if the shape is farther than the margin from the face.
 std::optional<Manifold> contactWithRisingFace(const ConvexShape& ground, const Transform& a,
                                               const ConvexShape& other, const Transform& b,

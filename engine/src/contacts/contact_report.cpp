@@ -22,7 +22,7 @@ bool touches(const Contact& contact, const ContactLane& lane, const Tolerances& 
     if (contact.sensor) {
         return contact.manifold.count > 0 && lane.separation(0) <= 0;
     }
-    if (!contact.near || contact.hidden) {
+    if (contact.hidden) {
         return false;
     }
     for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {

@@ -29,18 +29,12 @@ void ContactSet::forgetUnsound(const Bodies& bodies, const Tolerances& tolerance
     }
 }
 
-/// Contacts were added, removed or moved to other slots.
-void ContactSet::changed() {
-    contactsChanged_ = true;
-    liveStale_ = true;
-}
-
 void ContactSet::updatePairs(Bodies& bodies, const JointLists& joints, const Tolerances& tolerances,
                              Real dt, WorkerTeam& team) {
     records_.begin();
     applyChanges(bodies, tolerances);
     if (store_.countStep() && store_.sort()) {
-        changed();
+        contactsChanged_ = liveStale_ = true;
     }
     if (!bodies.leftOut.has(Feature::Collision)) {
         candidates_.bounds().coverPrediction(bodies, tolerances, dt, team);
@@ -64,7 +58,7 @@ void ContactSet::refreshPairs(Bodies& bodies, const JointLists& joints, WorkerTe
     if (store_.findChanges(candidates_, team)) {
         store_.forEachRemoved([&](std::uint32_t slot) { addEnd(store_.copyOf(slot, bodies)); });
         store_.merge(candidates_, bodies, team);
-        changed();
+        contactsChanged_ = liveStale_ = true;
     }
     candidates_.bounds().clearChanged();
 }

@@ -97,6 +97,10 @@ public:
     /// Updates manifolds, separations and approach speeds for a step of dt. Contacts in the passes
     /// whose manifold stays valid are not visited: their lanes are advanced together.
     void updateManifolds(Bodies& bodies, const Tolerances& tolerances, Real dt, WorkerTeam& team);
+    /// Hides the ghost collisions of manifolds at the poses that a solver predicts; replaces none.
+    void hidePredicted(const Bodies& bodies, const Tolerances& tolerances) {
+        ghostCollisions_.hide({bodies, store_, tolerances, 0});
+    }
     /// Measures the approach speeds of a body's contacts again, after its velocity has changed.
     void measureApproach(const Bodies& bodies, std::uint32_t body);
     /// m/s, upper bound of the approach speeds; exact after updateManifolds.
@@ -145,7 +149,6 @@ private:
     void addEnd(const StoredContact& contact);
     void renewChanged(const Bodies& bodies, const Tolerances& tolerances);
     void refreshPairs(Bodies& bodies, const JointLists& joints, WorkerTeam& team);
-    void changed();
     void findKinds(const Bodies& bodies, WorkerTeam& team);
     void finishContact(std::uint32_t slot, bool touchesInRow, const Tolerances& tolerances,
                        const WorkerTeam& team, std::vector<std::uint32_t>& toggled);

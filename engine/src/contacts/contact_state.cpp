@@ -186,7 +186,7 @@ void ContactSet::visitState(StateStream& stream, const Bodies& bodies) {
         stale = false;
         pairsStale = false;
         activityChanges.clear();
-        changed();
+        contactsChanged_ = liveStale_ = true;
         touchCounts.recount(store.contacts(), bodies);
     }
 }

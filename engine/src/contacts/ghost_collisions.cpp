@@ -2,9 +2,10 @@
 #include "contacts/ghost_collisions.hpp"
 
 #include "collide/rising_face.hpp"
-#include "contacts/contact_update.hpp"
+#include "collide/sat.hpp"
 
-#include <optional>
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace kodo {
@@ -12,25 +13,46 @@ inline namespace KODO_PRECISION {
 namespace {
 
 constexpr Real kFlushRise = Real(0.01);     // rise of flush ground, in slops
+constexpr Real kMayGo = Real(1.25);         // times the way at its speed: it may accelerate
 constexpr Real kSimilarNormals = Real(0.9); // least cosine between which impulses are kept
 
 /// Contact of a movable body with an immovable one, as seen from the movable one.
 struct Ground {
-    std::uint32_t body;    // the immovable one
-    std::uint16_t part;    // of the immovable body
-    Vec2 normal;           // out of the ground
-    Vec2 arm;              // m, from the centre of the immovable body to the contact
-    std::uint16_t carried; // part of the movable body
+    std::uint32_t body; // the immovable one
+    std::uint16_t part;
+    std::uint32_t movable; // body
+    std::uint16_t carried; // part of it
+    Manifold manifold;     // with the immovable body as body a
 };
 
 Ground groundOf(const Bodies& bodies, const Contact& contact) {
-    const ManifoldPoint& p = contact.manifold.points[0];
-    if (bodies.locked(contact.key.bodyA)) {
-        return {contact.key.bodyA, contact.key.partA, contact.manifold.normal, p.armA,
-                contact.key.partB};
+    const auto& [bodyA, partA, bodyB, partB] = contact.key;
+    return bodies.locked(bodyA) ? Ground{bodyA, partA, bodyB, partB, contact.manifold}
+                                : Ground{bodyB, partB, bodyA, partA, swapped(contact.manifold)};
+}
+
+/// True if two contacts of a body have points within `reach` (m) of each other.
+bool areBeside(const Manifold& first, const Manifold& second, Real reach) {
+    for (int i = 0; i < first.count * second.count; ++i) {
+        const Vec2 p = first.points[static_cast<std::size_t>(i % first.count)].armB;
+        const Vec2 q = second.points[static_cast<std::size_t>(i / first.count)].armB;
+        if (lengthSquared(p - q) <= reach * reach) {
+            return true;
+        }
     }
-    return {contact.key.bodyB, contact.key.partB, -contact.manifold.normal, p.armB,
-            contact.key.partA};
+    return false;
+}
+
+/// A point (m, world) of the surface above which the carrier keeps the body. That of the ground,
+/// but far from the carrier a deep overlap leaves the body below: there it is halfway into the
+/// overlap.
+Vec2 surfaceOf(const Bodies& bodies, const Ground& carrying, const Ground& ground) {
+    const Real core = std::min(bodies.convex(ground.body, ground.part).coreRadius,
+                               bodies.convex(ground.movable, ground.carried).coreRadius);
+    const ManifoldPoint& p = carrying.manifold.points[0]; // halfway between the surfaces
+    const bool beside = areBeside(carrying.manifold, ground.manifold, core);
+    const Real gap = beside ? p.separation : std::max(p.separation, Real(0));
+    return bodies.pose[carrying.body].position + p.armA - gap / 2 * carrying.manifold.normal;
 }
 
 /// True for two lines of a body, which follow their links instead. Lines of a fine valley rise by
@@ -40,49 +62,62 @@ bool areChain(const Bodies& bodies, const Ground& carrying, const Ground& ground
            bodies.convex(ground.body, ground.part).isLine();
 }
 
-/// True if no point of the shape is more than `tolerance` (m) above the surface through `point`.
-bool liesUnder(const ConvexShape& convex, const Transform& pose, Vec2 normal, Vec2 point,
-               Real tolerance) {
-    if (convex.isPlane()) {
-        return false;
-    }
+/// Height (m) of the highest point of a shape above the surface through `point`.
+Real riseOf(const ConvexShape& convex, const Transform& pose, Vec2 normal, Vec2 point) {
     const Vec2 n = unrotate(pose.rotation, normal);
-    const Real height = dot(normal, point - pose.position) + tolerance - convex.radius;
-    for (const Vec2 vertex : convex.vertices) {
-        if (dot(n, vertex) > height) {
-            return false;
-        }
-    }
-    return true;
+    return dot(n, convex.vertices[supportVertex(convex, n, 0)]) + convex.radius -
+           dot(normal, point - pose.position);
 }
 
 /// Replaces a contact at the vertex where its ground rises from the carrying face; see
 /// contactWithRisingFace(). False if it stays.
-bool replaceByRisingFace(const HidingStep& step, std::uint32_t slot, const CarryingFace& carrying) {
+bool replaceByRisingFace(const HidingStep& step, std::uint32_t slot, const Ground& ground,
+                         const CarryingFace& carrying) {
     const Bodies& bodies = step.bodies;
-    const Contact& contact = step.contact(slot);
-    const ContactKey& key = contact.key;
-    const ConvexShape& a = bodies.convex(key.bodyA, key.partA);
-    const ConvexShape& b = bodies.convex(key.bodyB, key.partB);
-    const Transform& poseA = bodies.pose[key.bodyA];
-    const Transform& poseB = bodies.pose[key.bodyB];
-    const bool groundIsA = bodies.locked(key.bodyA);
-    std::optional<Manifold> ahead =
-        groundIsA ? contactWithRisingFace(a, poseA, b, poseB, contact.manifold, carrying)
-                  : contactWithRisingFace(b, poseB, a, poseA, swapped(contact.manifold), carrying);
+    const auto ahead =
+        contactWithRisingFace(bodies.convex(ground.body, ground.part), bodies.pose[ground.body],
+                              bodies.convex(ground.movable, ground.carried),
+                              bodies.pose[ground.movable], ground.manifold, carrying);
     if (!ahead) {
         return false;
     }
-    if (!groundIsA) {
-        ahead = swapped(*ahead);
-    }
     const ContactLane lane = step.store.lane(slot);
-    if (ahead->count == 0 || dot(ahead->normal, contact.manifold.normal) < kSimilarNormals) {
+    if (ahead->count == 0 || dot(ahead->normal, ground.manifold.normal) < kSimilarNormals) {
         lane.clearImpulses();
     }
     lane.impulse(1) = 0;
-    step.replace(slot, *ahead);
+    step.replace(slot, ground.body == step.contact(slot).key.bodyA ? *ahead : swapped(*ahead));
     return true;
+}
+
+/// Hides or replaces one contact if it is a ghost beside that of the carrier.
+void hideBehind(const HidingStep& step, std::uint32_t carrier, std::uint32_t slot) {
+    const Bodies& bodies = step.bodies;
+    const Real slop = step.tolerances.slop;
+    const Contact& contact = step.contact(slot);
+    const Ground carrying = groundOf(bodies, step.contact(carrier));
+    const Ground ground = groundOf(bodies, contact);
+    const Vec2 normal = carrying.manifold.normal;
+    const ConvexShape& piece = bodies.convex(ground.body, ground.part);
+    const bool sameWay = contact.manifold.count > 0 && isSameWay(ground.manifold.normal, normal);
+    if (sameWay || piece.isPlane() || ground.carried != carrying.carried ||
+        areChain(bodies, carrying, ground)) {
+        return;
+    }
+    const Vec2 point = surfaceOf(bodies, carrying, ground);
+    const Real rise = riseOf(piece, bodies.pose[ground.body], normal, point);
+    const bool isFlush = rise <= kFlushRise * slop;
+    const bool touches = step.store.separation(carrier) <= slop;
+    const Vec2 speed = bodies.motion[ground.movable].velocity - bodies.motion[ground.body].velocity;
+    const Real way = kMayGo * step.dt * std::abs(cross(normal, speed));
+    if (!isFlush && touches && !contact.hidden && step.dt > 0 &&
+        replaceByRisingFace(step, slot, ground,
+                            {normal, point, slop, step.tolerances.margin, way})) {
+        return;
+    }
+    if (touches ? rise <= slop : isFlush && contact.manifold.count > 0) {
+        step.hide(slot, ground.body == contact.key.bodyA ? normal : -normal);
+    }
 }
 
 } // namespace
@@ -109,42 +144,11 @@ void GhostCollisions::link(const Bodies& bodies, std::span<const ContactSummary>
     }
 }
 
-/// Hides or replaces one contact if it is a ghost beside that of the carrier.
-void GhostCollisions::hideBehind(const HidingStep& step, std::uint32_t carrier,
-                                 std::uint32_t slot) {
-    const Bodies& bodies = step.bodies;
-    const Tolerances& tolerances = step.tolerances;
-    const Ground carrying = groundOf(bodies, step.contact(carrier));
-    const Vec2 point = bodies.pose[carrying.body].position + carrying.arm;
-    const Contact& contact = step.contact(slot);
-    const Ground ground = groundOf(bodies, contact);
-    const bool sameWay = contact.manifold.count > 0 && isSameWay(ground.normal, carrying.normal);
-    if (sameWay || ground.carried != carrying.carried || areChain(bodies, carrying, ground)) {
-        return;
-    }
-    const ConvexShape& convex = bodies.convex(ground.body, ground.part);
-    const Transform& pose = bodies.pose[ground.body];
-    const auto isUnder = [&](Real tolerance) {
-        return liesUnder(convex, pose, carrying.normal, point, tolerance);
-    };
-    const bool isFlush = isUnder(kFlushRise * tolerances.slop);
-    if (!isFlush && !contact.hidden &&
-        replaceByRisingFace(step, slot,
-                            {carrying.normal, point, tolerances.slop, tolerances.margin})) {
-        return;
-    }
-    if (isFlush || isUnder(tolerances.slop)) {
-        step.hide(slot, bodies.locked(contact.key.bodyA) ? carrying.normal : -carrying.normal);
-    }
-}
-
 void GhostCollisions::hide(const HidingStep& step) const {
     for (const std::uint32_t body : onPieces_) {
         for (std::uint32_t i = first_[body]; i != kEnd; i = next_[i]) {
             for (std::uint32_t k = first_[body]; k != kEnd; k = next_[k]) {
-                const Contact& carrier = step.contact(i);
-                if (k != i && !carrier.hidden && carrier.responds() &&
-                    step.store.separation(i) <= step.tolerances.slop) {
+                if (k != i && step.contact(i).near && step.contact(i).responds()) {
                     hideBehind(step, i, k);
                 }
             }

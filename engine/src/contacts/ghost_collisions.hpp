@@ -17,13 +17,15 @@ inline bool isSameWay(Vec2 a, Vec2 b) {
 
 /// Suppresses ghost collisions with the internal edges of ground that consists of several pieces.
 ///
-/// A body that slides over two flush immovable pieces touches the side or a corner of the second.
-/// If the whole second piece lies below the surface that carries the body, that contact is hidden
-/// for the step. If the piece rises from the surface, even by less than a slop, a contact at its
-/// lowest vertex becomes one with the face that rises. A real step or wall keeps its contact. Only
-/// contacts of the same part are compared: another part, such as a fork around a wall, may be below
-/// the surface. A blow may turn the far end of a body into a hidden piece within the step:
-/// ContinuousCollision stops a pair that meets along the surface.
+/// A body that slides over two flush immovable pieces, or lands on them, meets the side or a corner
+/// of the second. A contact keeps the body above the surface of the first for the whole step, also
+/// before it touches. So if the whole second piece lies below that surface, its contact is hidden
+/// for the step; without a point, once the body touches the first. If the piece rises from the
+/// surface that the body touches, even by less than a slop, a contact at its lowest vertex becomes
+/// one with the face that rises. A real step or wall keeps its contact. Only contacts of the same
+/// part are compared: another part, such as a fork around a wall, may be below the surface. A blow
+/// may turn the far end of a body into a hidden piece within the step: ContinuousCollision stops a
+/// pair that meets along the surface.
 class GhostCollisions {
 public:
     /// Sizes the array by body.
@@ -37,8 +39,6 @@ public:
     void hide(const HidingStep& step) const;
 
 private:
-    static void hideBehind(const HidingStep& step, std::uint32_t carrier, std::uint32_t slot);
-
     static constexpr std::uint32_t kEnd = ~std::uint32_t{};
 
     std::vector<std::uint32_t> first_;    // by body: its first contact with an immovable body

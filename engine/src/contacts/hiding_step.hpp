@@ -15,7 +15,7 @@ struct HidingStep {
     const Bodies& bodies;
     ContactStore& store;
     const Tolerances& tolerances;
-    Real dt; // s
+    Real dt; // s; 0: manifolds ahead of the poses
 
     const Contact& contact(std::uint32_t slot) const { return store.contacts()[slot]; }
     /// Hides a contact in this step. `normal`: of the surface above the ground of the contact, as
@@ -30,6 +30,7 @@ struct HidingStep {
         Contact& contact = store.change(slot, bodies);
         const ContactLane lane = store.lane(slot);
         contact.manifold = manifold;
+        contact.centerA = bodies.pose[contact.key.bodyA].position;
         contact.filled = false;
         lane.setSeparations(manifold);
         measureApproach(contact, lane, bodies);

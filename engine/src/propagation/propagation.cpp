@@ -82,6 +82,8 @@ void Propagation::predict(const Bodies& bodies, ContactStore& store, const Predi
     const std::span<Contact> contacts = store.contacts();
     gaps_.resize(contacts.size());
     for (std::uint32_t k = 0; k < contacts.size(); ++k) {
+        // Ghost collisions, which have a normal, are those at the predicted poses.
+        contacts[k].hidden = contacts[k].hidden && contacts[k].manifold.normal == Vec2{};
         if (!leftAlone(bodies, contacts[k])) {
             gaps_[k] = predictContact(contacts[k], store.lane(k), bodies, prediction);
         }
@@ -357,6 +359,7 @@ void Propagation::solve(const StepInput& step) {
                    static_cast<std::uint64_t>(part);
         predict(bodies, store,
                 {step.tolerances, h, step.settings.has(Feature::ContinuousCollision), part == 0});
+        contactSet.hidePredicted(bodies, step.tolerances);
         findIslands(bodies, contactSet, joints);
         resolveCollisions(bodies, store, step, h);
         integrateVelocities(bodies, bodies.awake, h);
