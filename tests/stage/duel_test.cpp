@@ -322,6 +322,38 @@ TEST(Duel, HalvesAreOfEqualSizeAndApart) {
     EXPECT_TRUE(layout::kShownTitle.contains(Duel::boxOf(1)));
 }
 
+TEST(Duel, ShowsAllBallsOfBothPlayersBesideTheirHits) {
+    for (const int lives : {1, 3, 9, 12}) {
+        SCOPED_TRACE(lives);
+        Level level = *glassLevel("Three", {2, 7, 12});
+        level.lives = lives;
+        const DuelRig rig(std::make_shared<const Level>(level));
+        RecordingCanvas canvas;
+        canvas.begin(layout::kShownTitle, {});
+        rig.duel.draw(canvas, Bindings{});
+        std::vector<Real> words; // left edges of the numbers of hits
+        for (const Stroke& s : canvas.strokes()) {
+            if (s.text == "0 hits") {
+                words.push_back(s.place.x - Real(1.7)); // its room, see paintHits
+            }
+        }
+        ASSERT_EQ(words.size(), 2u);
+        std::array<int, 2> balls{};
+        std::array<Real, 2> last = {-100, -100};
+        for (const Stroke& s : canvas.strokes()) {
+            if (s.kind == Stroke::Kind::Disc && s.place.y == Real(4.55)) {
+                const std::size_t player = s.place.x < words[0] ? 0 : 1;
+                ++balls[player];
+                EXPECT_LE(s.place.x + s.size, words[player]);
+                EXPECT_GE(s.place.x - last[player], Real(0.2)) << "one covers the other";
+                last[player] = s.place.x;
+            }
+        }
+        EXPECT_EQ(balls[0], lives);
+        EXPECT_EQ(balls[1], lives);
+    }
+}
+
 TEST(Duel, LeadsFromTheTitleOverTheMapAndBackAndWritesNothing) {
     std::vector<Profile> kept;
     int replays = 0;

@@ -168,6 +168,41 @@ TEST_F(EditorStage, ATryIsNamedInItsPanel) {
     EXPECT_FALSE(rig_->picture().says("A LEVEL OF ITS OWN"));
 }
 
+TEST_F(EditorStage, WhatAHeldKeyDidIsTakenBackAtOnce) {
+    start();
+    click({0, Real(6.6)});
+    const Level before = level();
+    const auto hold = [&](const char* name, int frames) {
+        Signals signals;
+        signals.presses = {{false, *keyNamed(name)}};
+        signals.keyHeld = *keyNamed(name);
+        rig_->frame(signals);
+        signals.presses.clear();
+        for (int i = 0; i < frames; ++i) {
+            rig_->frame(signals);
+        }
+        rig_->frame();
+    };
+    key("right");
+    const Level nudged = level();
+    hold("W", 90);
+    const Level wide = level();
+    EXPECT_GT(wide.freeBlocks[0].width, before.freeBlocks[0].width + 300);
+    hold("right", 90);
+    EXPECT_GT(level().freeBlocks[0].x, wide.freeBlocks[0].x + 300);
+    key("Z");
+    EXPECT_EQ(level(), wide);
+    key("Z");
+    EXPECT_EQ(level(), nudged) << "not with the key before";
+    key("Z");
+    EXPECT_EQ(level(), before);
+    hold("Y", 90);
+    EXPECT_GT(level().freeBlocks[0].x, wide.freeBlocks[0].x + 300)
+        << "a held Y leads on step by step";
+    hold("Z", 90);
+    EXPECT_EQ(level(), before);
+}
+
 TEST_F(EditorStage, AHeldKeyOfASizeRepeats) {
     start();
     click({0, Real(6.6)});

@@ -34,7 +34,7 @@ void sortAsRead(Level& level) {
 EditDocument::EditDocument(Level level)
     : history_{std::make_shared<const Level>(std::move(level))}, saved_(history_[0]) {}
 
-std::string EditDocument::apply(Level changed) {
+std::string EditDocument::apply(Level changed, bool joins) {
     sortAsRead(changed);
     Read<Level> read = parseLevel(toToml(changed), changed.name, "");
     if (const auto* problem = std::get_if<FileProblem>(&read)) {
@@ -46,7 +46,7 @@ std::string EditDocument::apply(Level changed) {
     if (changed == *level()) {
         return "";
     }
-    history_.resize(now_ + 1);
+    history_.resize(joins && canUndo() ? now_ : now_ + 1);
     history_.push_back(std::make_shared<const Level>(std::move(changed)));
     if (history_.size() > kMostSteps) {
         history_.erase(history_.begin());

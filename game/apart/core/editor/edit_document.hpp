@@ -17,8 +17,8 @@ public:
 
     const std::shared_ptr<const Level>& level() const { return history_[now_]; }
     /// Takes a changed level. Returns "", or why it is no level: the first error that the reader
-    /// of level files finds. It is then left out.
-    std::string apply(Level changed);
+    /// of level files finds. It is then left out. `joins`: undo takes it back with the last step.
+    std::string apply(Level changed, bool joins = false);
     bool canUndo() const { return now_ > 0; }
     bool canRedo() const { return now_ + 1 < history_.size(); }
     void undo();

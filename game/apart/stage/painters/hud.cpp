@@ -74,18 +74,9 @@ void paintScore(Canvas& canvas, const Game& game, const HudLook& look) {
     canvas.text(look.medal, {kPanelLeft, Real(11.6)}, quiet(Real(0.42)));
 }
 
-/// Paints the hits, and the balls: the one in play first and larger, then those in reserve.
-void paintLives(Canvas& canvas, const Game& game) {
+void paintHits(Canvas& canvas, const Game& game) {
     paintPair(canvas, "BALLS", countText(game.counts().hits, "hit"), Real(10.7));
-    constexpr Real kEdge = Real(0.28); // m, from the edge of the panel to the middle of a ball
-    constexpr Real kWay = kPanelRight - kPanelLeft - 2 * kEdge;
-    const int shown = std::min<int>(game.lives(), 12);
-    const Real step = std::min(Real(0.62), kWay / static_cast<Real>(std::max(shown - 1, 1)));
-    for (int i = 0; i < shown; ++i) {
-        const Vec2 center{kPanelLeft + kEdge + step * static_cast<Real>(i), Real(10.1)};
-        canvas.disc(center, i > 0 ? Real(0.2) : Real(0.26), palette::kBall,
-                    darker(palette::kBall, 0.2f));
-    }
+    paintLives(canvas, game, {kPanelLeft, Real(10.1)}, kPanelRight - kPanelLeft, Real(0.62));
 }
 
 /// The best blow so far, and its prize.
@@ -319,10 +310,21 @@ std::size_t fitting(const Canvas& canvas, std::size_t letters) {
     return static_cast<std::size_t>(static_cast<Real>(letters) / canvas.textScale());
 }
 
+void paintLives(Canvas& canvas, const Game& game, Vec2 from, Real room, Real step) {
+    const Real edge = Real(0.45) * step; // from an end of the row to the middle of a ball
+    const int shown = std::min<int>(game.lives(), 12);
+    const Real closest = (room - 2 * edge) / static_cast<Real>(std::max(shown - 1, 1));
+    for (int i = 0; i < shown; ++i) {
+        const Vec2 center = from + Vec2{edge + std::min(step, closest) * static_cast<Real>(i), 0};
+        canvas.disc(center, (i > 0 ? Real(0.32) : Real(0.42)) * step, palette::kBall,
+                    darker(palette::kBall, 0.2f));
+    }
+}
+
 void paintHud(Canvas& canvas, const Game& game, const HudLook& look) {
     paintLevel(canvas, game, look);
     paintScore(canvas, game, look);
-    paintLives(canvas, game);
+    paintHits(canvas, game);
     paintBlow(canvas, game);
     paintProgress(canvas, game);
     paintMeter(canvas, game);

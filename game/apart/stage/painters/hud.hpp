@@ -41,6 +41,11 @@ void paintServeHint(Canvas& canvas, const Game& game, const Bindings& keys);
 /// A bar that is filled from the left, 0..1.
 void paintBar(Canvas& canvas, const Aabb& where, Real share, Color color);
 
+/// The balls in a row that begins at a point: the one in play first and larger, then those in
+/// reserve, closer to each other where there are many. `room`: m, of the row; `step`: m, between
+/// two of few.
+void paintLives(Canvas& canvas, const Game& game, Vec2 from, Real room, Real step);
+
 /// A question to the player, if there is one; `bottom`: lower edge, m.
 void paintQuestion(Canvas& canvas, std::string_view question, Real bottom);
 

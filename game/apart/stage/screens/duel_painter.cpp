@@ -85,14 +85,10 @@ void paintPoints(Canvas& canvas, const Panel& at, const Game& game) {
 void paintHits(Canvas& canvas, const Panel& at, const Game& game) {
     const Real half = Panel::kColumn / 2;
     canvas.text("BALLS", {at.left2(), Real(4.4)}, small(palette::kQuiet, Real(2)));
-    const int shown = std::min<int>(game.lives(), 6);
-    for (int i = 0; i < shown; ++i) {
-        const Vec2 center{at.left2() + Real(2.2) + Real(0.5) * static_cast<Real>(i), Real(4.55)};
-        canvas.disc(center, i > 0 ? Real(0.16) : Real(0.21), palette::kBall,
-                    darker(palette::kBall, 0.2f));
-    }
+    constexpr Real kHits = Real(1.7); // room of their number
+    paintLives(canvas, game, {at.left2() + 2, Real(4.55)}, Panel::kColumn - 2 - kHits, Real(0.5));
     canvas.text(countText(game.counts().hits, "hit"), {at.right2(), Real(4.4)},
-                small(palette::kQuiet, Real(1.7), Align::Right));
+                small(palette::kQuiet, kHits, Align::Right));
     canvas.text(fmt::format("BEST BLOW  {}", game.counts().bestBlow), {at.left2(), Real(3.6)},
                 small(palette::kQuiet, half - Real(0.2)));
     canvas.text("prize " + grouped(payable(game)), {at.right2(), Real(3.6)},

@@ -60,7 +60,9 @@ void EditorScreen::repeat(int key, double now) {
     }
     if (hand_.repeated != kNoKey && repeats(key) && now >= hand_.repeatAt) {
         hand_.repeatAt = std::max(hand_.repeatAt + kEvery, now); // a stall is not made up for
+        hand_.repeats = true;
         takeKey(key, now);
+        hand_.repeats = false;
     }
 }
 

@@ -52,12 +52,14 @@ void EditorScreen::changed() {
 void EditorScreen::change(Level level, double now) {
     const std::shared_ptr<const Level> before = document_.level();
     const Level wanted = level;
-    if (const std::string problem = document_.apply(std::move(level)); !problem.empty()) {
+    const bool joins = hand_.repeats && before == hand_.made;
+    if (const std::string problem = document_.apply(std::move(level), joins); !problem.empty()) {
         return say("That is no level: " + problem + ".", now);
     }
     notice_.clear();
     if (document_.level() != before) {
         hand_.chosen = followed(std::move(hand_.chosen), wanted, *document_.level());
+        hand_.made = document_.level();
         changed();
     }
 }
@@ -294,6 +296,7 @@ EditorScreen::Wish EditorScreen::take(const Signals& signals, double now) {
             return Wish::Try;
         }
         if (!press.pad) {
+            hand_.made.reset();
             takeKey(press.code, now);
             hand_.repeated = press.code;
             hand_.repeatAt = now + kRepeatAfter;

@@ -116,6 +116,8 @@ private:
         Vec2 field = layout::kField.center(); // m; where it stayed last in the field
         int repeated = kNoKey;                // the key that is held
         double repeatAt = 0;                  // s, its next effect
+        bool repeats = false;                 // that effect is taking place
+        std::shared_ptr<const Level> made;    // by a change since the last key was pressed
     };
     /// Ground that is drawn, or whose outline is changed.
     struct Outline {
