@@ -19,7 +19,19 @@ using support::RandomNumbers;
 
 constexpr Real kHalf = 20; // m, of the width of the ground
 
-enum class Ground { Tiles, UnevenTiles, PartsOfABody, MovingTiles, Segments, Plate, Line };
+enum class Ground {
+    Tiles,
+    UnevenTiles,
+    PartsOfABody,
+    MovingTiles,
+    Segments,
+    Plate,
+    Line,
+    HalfPlane,
+    Block,
+    MovingBlock,
+    BentLine
+};
 
 /// Flush ground with its surface at height 0, from -kHalf to kHalf.
 void addGround(World& world, Ground kind) {
@@ -30,6 +42,21 @@ void addGround(World& world, Ground kind) {
     }
     if (kind == Ground::Line) {
         world.add({.shape = Segment{{-kHalf, 0}, {kHalf, 0}}, .type = BodyType::Static});
+        return;
+    }
+    if (kind == Ground::HalfPlane) {
+        world.add({.shape = Plane{}, .type = BodyType::Static});
+        return;
+    }
+    if (kind == Ground::Block || kind == Ground::MovingBlock) {
+        world.add({.shape = Box{2 * kHalf, 4, {0, -2}},
+                   .velocity = {kind == Ground::Block ? Real(0) : Real(1), 0},
+                   .type = kind == Ground::Block ? BodyType::Static : BodyType::Kinematic});
+        return;
+    }
+    if (kind == Ground::BentLine) {
+        world.add({.shape = Chain{.points = {{-kHalf, 0}, {-1, 0}, {Real(0.2), 0}, {kHalf, 0}}},
+                   .type = BodyType::Static});
         return;
     }
     constexpr Real width = Real(0.5);
@@ -119,14 +146,19 @@ TEST(Landing, TheFarEndDoesNotPassGroundOfPieces) {
     }
 }
 
-// The solver of the thesis does not look again within the step. So a body may enter by the way of
-// its far end, but never passes: 10 of 1,000 throws at 30 Hz did.
-TEST(Landing, TheSolverOfTheThesisLetsNothingThroughAPlate) {
-    for (const Ground ground : {Ground::Plate, Ground::Line, Ground::Tiles}) {
-        for (const Real rate : {Real(30), Real(60)}) {
+// The solver of the thesis does not look again within the step: what a blow turns into the ground
+// is stopped there. Where it was held by its contacts alone, 99 of 300 centres came below the
+// surface of a block or plane at 30 Hz and 5 at 120, by up to 0.35 m, and rose again for a third of
+// a second. The thinnest rods may pass a plate (1 of 60 at 30 Hz).
+TEST(Landing, TheSolverOfTheThesisLetsNothingIntoTheGround) {
+    for (const Ground ground : {Ground::Plate, Ground::Line, Ground::Tiles, Ground::HalfPlane,
+                                Ground::Block, Ground::MovingBlock, Ground::BentLine}) {
+        const bool thin = ground == Ground::Plate;
+        for (const Real rate : {Real(30), Real(60), Real(120), Real(240)}) {
             RandomNumbers random(7);
             for (int i = 0; i < std::max(draws(300), 60); ++i) {
-                EXPECT_GT(lowestOf(thrown(random, 1 + i % 4), ground, thesis2006(), rate), -1)
+                const BodyDef def = thrown(random, thin ? 1 + i % 4 : i % 5);
+                EXPECT_GT(lowestOf(def, ground, thesis2006(), rate), Real(-0.03))
                     << "ground " << static_cast<int>(ground) << ", " << rate << " Hz, throw " << i;
             }
         }

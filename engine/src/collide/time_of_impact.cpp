@@ -201,16 +201,16 @@ std::optional<ConvexShape> sideTowards(MovingShape line, MovingShape other) {
     return facingTo(line.shape, line.shape.normals[isBehind ? 0 : 1]);
 }
 
-/// Fraction of the step after which a point of another body has come down to slop / 4 (m) over a
-/// line, between its ends; to -slop if it starts lower than `slop`; kNever if it does not.
-Real timeOfPoint(MovingShape line, Vec2 normal, MovingShape other, Vec2 point, Real slop) {
+/// Fraction of the step after which a point or corner of another body has come down to slop / 4 (m)
+/// over a line, between its ends; to -slop if it starts lower than `slop`; kNever if it does not.
+Real timeOfDisc(MovingShape line, Vec2 normal, MovingShape other, const ConvexShape& disc,
+                Real slop) {
     const ConvexShape below = behind(line.shape, normal);
-    const ConvexShape disc = discOf(point, 0);
     const Real start = separation(below, line.sweep.start, disc, other.sweep.start).distance;
     const Real height = start > slop ? slop / 4 : -slop;
     const Real t =
         start > -slop ? advance({below, line.sweep}, {disc, other.sweep}, height, 0) : kNever;
-    return t <= 1 && isOver(line, other, point, t) ? t : kNever;
+    return t <= 1 && isOver(line, other, disc.vertices[0], t) ? t : kNever;
 }
 
 /// True if a one-sided line faces away from a plane.
@@ -226,10 +226,8 @@ Real timeOfImpact(const ConvexShape& shapeA, const MotionPath& a, const ConvexSh
     const MovingShape movingA{shapeA, a};
     const MovingShape movingB{shapeB, b};
     if ((shapeA.oneSided && shapeB.isPlane() && turnsAway(movingA, movingB)) ||
-        (shapeB.oneSided && shapeA.isPlane() && turnsAway(movingB, movingA))) {
-        return kNever;
-    }
-    if (!discsMeet(movingA, movingB, target, from)) {
+        (shapeB.oneSided && shapeA.isPlane() && turnsAway(movingB, movingA)) ||
+        !discsMeet(movingA, movingB, target, from)) {
         return kNever;
     }
     if (const auto side = sideTowards(movingA, movingB)) {
@@ -248,27 +246,27 @@ Real timeOfImpact(const ConvexShape& shapeA, const MotionPath& a, const ConvexSh
 }
 
 Real timeBehind(const ConvexShape& line, const MotionPath& a, const ConvexShape& other,
-                const MotionPath& b, Real slop) {
+                const MotionPath& b, Real slop, bool corners) {
     const Vec2 normal = line.normals[1];
     if (heightOverJoints(line, between(a.start, b.start) * other.middle, slop) < -slop) {
         return kNever;
     }
     const MovingShape ground{line, a};
     const MovingShape above{other, b};
-    Real first = timeOfPoint(ground, normal, above, other.middle, slop);
-    if (other.coreRadius < slop) {
+    Real first = timeOfDisc(ground, normal, above, discOf(other.middle, 0), slop);
+    if (corners || other.coreRadius < slop) {
         for (const Vec2 vertex : other.vertices) {
-            first = std::min(first, timeOfPoint(ground, normal, above, vertex, slop));
+            const ConvexShape corner = discOf(vertex, other.radius);
+            first = std::min(first, timeOfDisc(ground, normal, above, corner, slop));
         }
     }
     for (const std::size_t end : {std::size_t(0), std::size_t(1)}) {
         if (other.isLine() && ownsVertex(line, end)) {
-            const Vec2 vertex = line.vertices[end];
-            const Vec2 side = other.normals[1];
-            const Vec2 seen = between(b.start, a.start) * vertex;
-            const bool isBelow = dot(side, seen - other.vertices[0]) < 0;
-            first =
-                std::min(first, timeOfPoint(above, isBelow ? -side : side, ground, vertex, slop));
+            const ConvexShape vertex = discOf(line.vertices[end], 0);
+            const Vec2 seen = between(b.start, a.start) * line.vertices[end];
+            const bool isBelow = dot(other.normals[1], seen - other.vertices[0]) < 0;
+            const Vec2 side = other.normals[isBelow ? 0 : 1];
+            first = std::min(first, timeOfDisc(above, side, ground, vertex, slop));
         }
     }
     return first;

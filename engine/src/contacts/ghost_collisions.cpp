@@ -13,7 +13,6 @@ inline namespace KODO_PRECISION {
 namespace {
 
 constexpr Real kFlushRise = Real(0.01);     // rise of flush ground, in slops
-constexpr Real kMayGo = Real(1.25);         // times the way at its speed: it may accelerate
 constexpr Real kSimilarNormals = Real(0.9); // least cosine between which impulses are kept
 
 /// Contact of a movable body with an immovable one, as seen from the movable one.
@@ -109,7 +108,7 @@ void hideBehind(const HidingStep& step, std::uint32_t carrier, std::uint32_t slo
     const bool isFlush = rise <= kFlushRise * slop;
     const bool touches = step.store.separation(carrier) <= slop;
     const Vec2 speed = bodies.motion[ground.movable].velocity - bodies.motion[ground.body].velocity;
-    const Real way = kMayGo * step.dt * std::abs(cross(normal, speed));
+    const Real way = step.dt * std::abs(cross(normal, speed));
     if (!isFlush && touches && !contact.hidden && step.dt > 0 &&
         replaceByRisingFace(step, slot, ground,
                             {normal, point, slop, step.tolerances.margin, way})) {

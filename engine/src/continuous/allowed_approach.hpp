@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <kodo/real.hpp>
+#include <kodo/settings.hpp>
 
 #include <algorithm>
+#include <variant>
 
 namespace kodo {
 inline namespace KODO_PRECISION {
@@ -13,6 +14,19 @@ inline namespace KODO_PRECISION {
 /// the correct side. A locked body does not give way, so half of that is allowed against it.
 inline Real allowedApproach(Real coreRadiusA, Real coreRadiusB, bool againstLocked) {
     return std::min(coreRadiusA, coreRadiusB) * (againstLocked ? Real(0.5) : Real(1));
+}
+
+/// True if manifolds of bodies that turn far or approach fast are found again within the step.
+inline bool looksAgain(const StepSettings& settings) {
+    return std::holds_alternative<SoftSettings>(settings.solver);
+}
+
+/// Approach (m) within a step up to which its contact points hold a touching pair. Past the centres
+/// of both parts, they would separate it to the wrong side. Where nobody looks again, a blow may
+/// turn other corners of a body into what does not give way.
+inline Real heldApproach(const StepSettings& settings, Real coreA, Real coreB, bool againstLocked) {
+    return againstLocked && !looksAgain(settings) ? allowedApproach(coreA, coreB, true)
+                                                  : (coreA + coreB) / 2;
 }
 
 } // namespace KODO_PRECISION

@@ -32,39 +32,36 @@ constexpr Real kStopShort = sizeof(Real) == 4 ? Real(1) / 1024 : Real(1) / 65536
 ///
 /// A separated pair is stopped just before it touches. A touching pair that moves too far for its
 /// contact points is stopped before it tunnels.
-std::optional<Real> stoppingGap(const Bodies& bodies, const Contact& contact, Real gap, Real motion,
-                                const StepSettings& settings, const Tolerances& tolerances) {
+std::optional<Real> stoppingGap(const StepInput& input, const Contact& contact, Real gap,
+                                Real motion) {
+    const Bodies& bodies = input.bodies;
+    const Real slop = input.tolerances.slop;
     const auto& [bodyA, partA, bodyB, partB] = contact.key;
-    if (contact.passing || !areChecked(bodies, bodyA, bodyB)) {
+    if (motion < gap || contact.passing || !areChecked(bodies, bodyA, bodyB)) {
         return std::nullopt;
     }
     const ConvexShape& shapeA = bodies.convex(bodyA, partA);
     const ConvexShape& shapeB = bodies.convex(bodyB, partB);
-    if (motion < gap) {
-        return std::nullopt;
-    }
-    const Real near = kStopShort * tolerances.slop;
+    const Real near = kStopShort * slop;
     if (contact.sensor) { // nothing holds it apart, however near it begins
         return gap > 0 ? std::optional(std::min(near, gap / 2)) : std::nullopt;
     }
-    const bool againstLocked = bodies.locked(bodyA) || bodies.locked(bodyB);
-    const bool far = motion > allowedApproach(shapeA.coreRadius, shapeB.coreRadius, againstLocked);
-    if (gap > tolerances.slop) {
+    const bool locked = bodies.locked(bodyA) || bodies.locked(bodyB);
+    if (gap > slop) {
         const bool bounces =
-            contact.bounces && !contact.hidden && settings.has(Feature::Restitution);
+            contact.bounces && !contact.hidden && input.settings.has(Feature::Restitution);
+        const bool far = motion > allowedApproach(shapeA.coreRadius, shapeB.coreRadius, locked);
         return bounces || far ? std::optional(near) : std::nullopt;
     }
-    // Past the centres of both parts, contact points would separate them to the wrong side.
     const Real thickness = shapeA.coreRadius + shapeB.coreRadius;
-    const Real deepest = std::min(4 * tolerances.slop, thickness);
-    const bool holds = !far || motion < thickness / 2 || shapeA.oneSided || shapeB.oneSided;
+    const Real deepest = std::min(4 * slop, thickness);
+    const Real held = heldApproach(input.settings, shapeA.coreRadius, shapeB.coreRadius, locked);
+    const bool holds = motion <= held || shapeA.oneSided || shapeB.oneSided;
     if (deepest < near) { // once as near as that, the pair may slide, or part
         return holds || gap <= 2 * near ? std::nullopt : std::optional(near);
     }
-    // Deeper pairs: the soft solver finds their manifolds again within the step.
     const Real entered = gap < -deepest / 4 ? gap : Real(0);
-    const bool left = entered < 0 && (entered - deepest < -thickness ||
-                                      std::holds_alternative<SoftSettings>(settings.solver));
+    const bool left = entered < 0 && (entered - deepest < -thickness || looksAgain(input.settings));
     return holds || left ? std::nullopt : std::optional(entered - deepest);
 }
 
@@ -95,16 +92,18 @@ bool mayMeet(const Bodies& bodies, const PartBounds& bounds, const ContactSummar
 
 /// True if a pair may meet in this step while no body is stopped. It uses the core radius of whole
 /// bodies, which is that of their thinnest part. stoppingGap() decides exactly.
-bool closes(const Bodies& bodies, const ContactSet& contactSet, std::uint32_t slot,
-            const Tolerances& tolerances) {
+bool closes(const StepInput& input, std::uint32_t slot) {
+    const Bodies& bodies = input.bodies;
+    const ContactSet& contactSet = input.contactSet;
+    const Tolerances& tolerances = input.tolerances;
     const ContactSummary& summary = contactSet.summaries()[slot];
     const PartBounds& bounds = contactSet.candidates().bounds();
     const Extent& extentA = bodies.extent[summary.bodyA];
     const Extent& extentB = bodies.extent[summary.bodyB];
-    const bool againstLocked = bodies.locked(summary.bodyA) || bodies.locked(summary.bodyB);
-    const Real far = allowedApproach(extentA.coreRadius, extentB.coreRadius, againstLocked);
+    const bool locked = bodies.locked(summary.bodyA) || bodies.locked(summary.bodyB);
+    const Real far = allowedApproach(extentA.coreRadius, extentB.coreRadius, locked);
     // relativeMotion() measures the motion against a locked body relative to that body.
-    if (!summary.bounces && !againstLocked && !mayGoFarther(bodies, summary, far)) {
+    if (!summary.bounces && !locked && !mayGoFarther(bodies, summary, far)) {
         return false; // most pairs of a pile
     }
     const MovingBody a{summary.bodyA, extentA.rotationReach};
@@ -114,9 +113,8 @@ bool closes(const Bodies& bodies, const ContactSet& contactSet, std::uint32_t sl
     if (motion < gap || (motion <= far && !summary.bounces)) {
         return false;
     }
-    const bool mayBeThrough =
-        motion > far && motion >= (extentA.coreRadius + extentB.coreRadius) / 2;
-    return (gap > tolerances.slop || mayBeThrough ||
+    const Real held = heldApproach(input.settings, extentA.coreRadius, extentB.coreRadius, locked);
+    return (gap > tolerances.slop || motion > held ||
             isUnheld(bodies, contactSet, slot, tolerances.slop)) &&
            mayMeet(bodies, bounds, summary, tolerances);
 }
@@ -164,13 +162,12 @@ bool ContinuousCollision::markSwift(const Bodies& bodies, bool mayBounce,
 void ContinuousCollision::run(const StepInput& input) {
     Bodies& bodies = input.bodies;
     ContactSet& contactSet = input.contactSet;
-    const Tolerances& tolerances = input.tolerances;
     candidates_.clear();
     stoppedAtLines_.clear();
     bool sensors = false;
-    if (markSwift(bodies, contactSet.mayBounce(), tolerances, input.team) ||
+    if (markSwift(bodies, contactSet.mayBounce(), input.tolerances, input.team) ||
         contactSet.mayHaveSensors()) {
-        sensors = findCandidates(bodies, contactSet, tolerances, input.team);
+        sensors = findCandidates(input);
     }
     if (!candidates_.empty() || sensors) {
         const bool driven =
@@ -182,7 +179,7 @@ void ContinuousCollision::run(const StepInput& input) {
             stopInOrder(step);
         }
         if (sensors) {
-            noticeSensors(bodies, contactSet.store(), input.settings, tolerances);
+            noticeSensors(input);
         }
         input.work.continuousPairs = candidates_.size();
         input.work.continuousStops = stopped_.size();
@@ -211,18 +208,17 @@ void ContinuousCollision::finish(Bodies& bodies, Real dt) {
 }
 
 /// Lists the pairs that may meet while no body is stopped. True if any contact is a sensor's.
-bool ContinuousCollision::findCandidates(const Bodies& bodies, const ContactSet& contactSet,
-                                         const Tolerances& tolerances, WorkerTeam& team) {
-    const std::span<const ContactSummary> summaries = contactSet.summaries();
+bool ContinuousCollision::findCandidates(const StepInput& input) {
+    const Bodies& bodies = input.bodies;
+    const std::span<const ContactSummary> summaries = input.contactSet.summaries();
     std::uint8_t sensors = 0;
-    found_.gather(team, summaries.size(), kPairsPerPiece, candidates_,
+    found_.gather(input.team, summaries.size(), kPairsPerPiece, candidates_,
                   [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& found) {
                       for (std::size_t i = first; i < last; ++i) {
                           const auto slot = static_cast<std::uint32_t>(i);
                           if (summaries[i].sensor) {
                               WorkerTeam::mark(sensors);
-                          } else if (isSwift(bodies, summaries[i]) &&
-                                     closes(bodies, contactSet, slot, tolerances)) {
+                          } else if (isSwift(bodies, summaries[i]) && closes(input, slot)) {
                               found.push_back(slot);
                           }
                       }
@@ -265,8 +261,7 @@ void ContinuousCollision::findTime(const Step& step, std::uint32_t i, Real from)
     const auto timeFrom = [&](Real apart, std::optional<Real> departure) {
         const auto target = unheld && !departure
                                 ? std::optional(-slop)
-                                : stoppingGap(step.bodies, contact, departure ? 2 * slop : apart,
-                                              motion, step.settings, step.tolerances);
+                                : stoppingGap(step, contact, departure ? 2 * slop : apart, motion);
         const Real first = departure.value_or(0);
         return target ? std::min(impactTime(step.bodies, contact, *target, std::max(from, first)),
                                  timeToJointedLine(step, contact, *target, first))
@@ -340,9 +335,10 @@ void ContinuousCollision::stopInOrder(const Step& step) {
     }
 }
 
-void ContinuousCollision::noticeSensors(const Bodies& bodies, ContactStore& store,
-                                        const StepSettings& settings,
-                                        const Tolerances& tolerances) {
+void ContinuousCollision::noticeSensors(const StepInput& input) {
+    const Bodies& bodies = input.bodies;
+    ContactStore& store = input.contactSet.store();
+    const Tolerances& tolerances = input.tolerances;
     for (std::uint32_t slot = 0; slot < store.size(); ++slot) {
         Contact& contact = store.contacts()[slot];
         if (!contact.sensor) {
@@ -354,7 +350,7 @@ void ContinuousCollision::noticeSensors(const Bodies& bodies, ContactStore& stor
         // persists.
         contact.touching = contact.wasTouching && apart <= tolerances.slop / 32;
         const Real motion = motionOf(bodies, contact);
-        const auto gap = stoppingGap(bodies, contact, apart, motion, settings, tolerances);
+        const auto gap = stoppingGap(input, contact, apart, motion);
         const Real fraction = gap ? impactTime(bodies, contact, *gap, 0) : 1;
         if (fraction < 1) {
             meet(bodies, contact, lane, fraction, tolerances);

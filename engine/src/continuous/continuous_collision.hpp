@@ -54,8 +54,7 @@ private:
 
     bool markSwift(const Bodies& bodies, bool mayBounce, const Tolerances& tolerances,
                    WorkerTeam& team);
-    bool findCandidates(const Bodies& bodies, const ContactSet& contactSet,
-                        const Tolerances& tolerances, WorkerTeam& team);
+    bool findCandidates(const StepInput& input);
     bool isSwift(const Bodies& bodies, const ContactSummary& summary) const {
         return (swift_[summary.bodyA] | swift_[summary.bodyB]) != 0 &&
                areChecked(bodies, summary.bodyA, summary.bodyB);
@@ -82,8 +81,7 @@ private:
     Real violationAt(const Bodies& bodies, const JointDef& def, Real fractionA,
                      Real fractionB) const;
     void finish(Bodies& bodies, Real dt);
-    void noticeSensors(const Bodies& bodies, ContactStore& store, const StepSettings& settings,
-                       const Tolerances& tolerances);
+    void noticeSensors(const StepInput& input);
     bool meet(const Bodies& bodies, Contact& contact, const ContactLane& lane, Real fraction,
               const Tolerances& tolerances) const;
 

@@ -32,11 +32,6 @@ Vec2 carriedBy(const BodyVelocity& motion, Vec2 arm, Real time) {
     return motion.deltaPosition + (turn * arm - arm) / (1 - time);
 }
 
-/// Removes the component of `push` into a static surface.
-void holdBack(Vec2& push, Vec2 normal) {
-    push -= std::min(dot(normal, push), Real(0)) * normal;
-}
-
 } // namespace
 
 /// The push of a body, to be changed.
@@ -59,7 +54,9 @@ void ContinuousCollision::holdBackAtGround(const Step& step, std::uint32_t body,
                 separation(step.bodies.convex(bodyA, partA), pathOf(step.bodies, bodyA).at(time),
                            step.bodies.convex(bodyB, partB), pathOf(step.bodies, bodyB).at(time));
             if (distance <= step.tolerances.margin) {
-                holdBack(push_[body], ground == bodyA ? axis : -axis);
+                const Real into = dot(axis, push_[body]);
+                push_[body] -=
+                    (ground == bodyA ? std::min(into, Real(0)) : std::max(into, Real(0))) * axis;
             }
         }
     });

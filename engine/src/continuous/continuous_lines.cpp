@@ -50,9 +50,7 @@ Real ContinuousCollision::timeThroughLine(const Step& step, const Contact& conta
     const Bodies& bodies = step.bodies;
     const ConvexShape& shapeA = bodies.convex(bodyA, partA);
     const ConvexShape& shapeB = bodies.convex(bodyB, partB);
-    const bool againstLocked = bodies.locked(bodyA) || bodies.locked(bodyB);
-    if (contact.hidden || contact.passing || shapeA.isPlane() || shapeB.isPlane() ||
-        motion <= allowedApproach(shapeA.coreRadius, shapeB.coreRadius, againstLocked)) {
+    if (contact.hidden || contact.passing || shapeA.isPlane() || shapeB.isPlane()) {
         return 1;
     }
     const bool aIsLine = shapeA.oneSided || (shapeA.isLine() && bodies.locked(bodyA));
@@ -62,19 +60,21 @@ Real ContinuousCollision::timeThroughLine(const Step& step, const Contact& conta
     }
     const ConvexShape& line = aIsLine ? shapeA : shapeB;
     const ConvexShape& other = aIsLine ? shapeB : shapeA;
+    const bool corners =
+        !looksAgain(step.settings) && motion > other.coreRadius / 2; // as against solid ground
     const MotionPath path = pathOf(bodies, aIsLine ? bodyA : bodyB);
     const MotionPath otherPath = pathOf(bodies, aIsLine ? bodyB : bodyA);
     if (line.oneSided) {
-        return timeBehind(line, path, other, otherPath, step.tolerances.slop);
+        return timeBehind(line, path, other, otherPath, step.tolerances.slop, corners);
     }
     if (const auto jointed = jointedLineOf(bodies, contact.key)) {
         const Real side = jointedSideOf(bodies, contact, *jointed, step.tolerances.margin).side;
         const ConvexShape facing = facingTo(line, side * line.normals[1]);
-        return timeBehind(facing, path, other, otherPath, step.tolerances.slop);
+        return timeBehind(facing, path, other, otherPath, step.tolerances.slop, corners);
     }
     const Vec2 side = sideOf({line, path.start, other, otherPath.start}, contact.manifold, aIsLine);
     const ConvexShape facing = facingTo(line, unrotate(path.start.rotation, side));
-    return timeBehind(facing, path, other, otherPath, step.tolerances.slop);
+    return timeBehind(facing, path, other, otherPath, step.tolerances.slop, corners);
 }
 
 /// Time of impact with a two-sided line that shares a vertex with another, as with a chain: a point
