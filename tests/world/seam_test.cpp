@@ -231,5 +231,48 @@ TEST(Seam, HitsNameTilesThatTheBodyReaches) {
     }
 }
 
+// A plank leans on the edge of a step, and its end lies on the floor beside a seam. What carries it
+// is a corner, on which it may turn: the floor holds its end. Where the floor was hidden below the
+// plank, 63 of 69 ends sank by up to 0.055 m, and some planks rocked for ever.
+TEST(Seam, AFloorIsNotHiddenByAPlankThatLeansOnAStep) {
+    for (const StepSettings& settings : {balanced(), accurate()}) {
+        for (const Real rate : {Real(30), Real(60), Real(120), Real(240)}) {
+            for (const Real end : {Real(0), Real(1)}) { // of the pit: flush ground, a wall
+                for (const Real step : {Real(0.02), Real(0.1), Real(0.3)}) {
+                    for (const Real length : {Real(1.4), Real(1.8)}) {
+                        constexpr Real pit = Real(0.9);
+                        World world({.gravity = support::kEarth, .settings = settings});
+                        world.add({.shape = Box{pit, 3},
+                                   .position = {-pit / 2, -step - Real(1.5)},
+                                   .type = BodyType::Static});
+                        world.add({.shape = Box{3, 3},
+                                   .position = {Real(1.5), Real(-1.5)},
+                                   .type = BodyType::Static});
+                        world.add({.shape = Box{1, 3},
+                                   .position = {-pit - Real(0.5),
+                                                Real(-1.5) - (end > 0 ? Real(0) : step)},
+                                   .type = BodyType::Static});
+                        const Rot slope = Rot::fromAngle(std::atan2(step, pit - Real(0.012)));
+                        const Real top = (slope * Vec2{0, Real(0.1)}).x; // before the wall
+                        const Vec2 corner{Real(0.012) - pit - end * top, -step};
+                        const BodyId plank =
+                            world.add({.shape = Box{length, Real(0.1), {length / 2, Real(0.05)}},
+                                       .position = corner + Vec2{0, Real(0.002)},
+                                       .rotation = slope});
+                        Real lowest = 0;
+                        for (int i = 0; i < static_cast<int>(6 * rate); ++i) {
+                            world.step(1 / rate);
+                            lowest = std::min(lowest, world[plank].bounds().lower.y + step);
+                        }
+                        EXPECT_GT(lowest, Real(-0.01))
+                            << rate << " Hz, step " << step << ", length " << length << ", " << end;
+                        EXPECT_LT(std::abs(world[plank].angularVelocity()), Real(0.01));
+                    }
+                }
+            }
+        }
+    }
+}
+
 } // namespace
 } // namespace kodo

@@ -30,18 +30,6 @@ Ground groundOf(const Bodies& bodies, const Contact& contact) {
                                 : Ground{bodyB, partB, bodyA, partA, swapped(contact.manifold)};
 }
 
-/// True if two contacts of a body have points within `reach` (m) of each other.
-bool areBeside(const Manifold& first, const Manifold& second, Real reach) {
-    for (int i = 0; i < first.count * second.count; ++i) {
-        const Vec2 p = first.points[static_cast<std::size_t>(i % first.count)].armB;
-        const Vec2 q = second.points[static_cast<std::size_t>(i / first.count)].armB;
-        if (lengthSquared(p - q) <= reach * reach) {
-            return true;
-        }
-    }
-    return false;
-}
-
 /// A point (m, world) of the surface above which the carrier keeps the body. That of the ground,
 /// but far from the carrier a deep overlap leaves the body below: there it is halfway into the
 /// overlap.
@@ -49,9 +37,21 @@ Vec2 surfaceOf(const Bodies& bodies, const Ground& carrying, const Ground& groun
     const Real core = std::min(bodies.convex(ground.body, ground.part).coreRadius,
                                bodies.convex(ground.movable, ground.carried).coreRadius);
     const ManifoldPoint& p = carrying.manifold.points[0]; // halfway between the surfaces
-    const bool beside = areBeside(carrying.manifold, ground.manifold, core);
-    const Real gap = beside ? p.separation : std::max(p.separation, Real(0));
+    bool beside = p.separation > 0;
+    const auto n = static_cast<std::size_t>(carrying.manifold.count);
+    for (std::size_t i = 0; i < n * static_cast<std::size_t>(ground.manifold.count); ++i) {
+        const Vec2 way = carrying.manifold.points[i % n].armB - ground.manifold.points[i / n].armB;
+        beside = beside || length(way) <= core;
+    }
+    const Real gap = beside ? p.separation : Real(0);
     return bodies.pose[carrying.body].position + p.armA - gap / 2 * carrying.manifold.normal;
+}
+
+/// True if a face of the ground carries: on a corner alone a body may turn.
+bool isOfFace(const Bodies& bodies, const Ground& carrying) {
+    const Vec2 n = unrotate(bodies.pose[carrying.body].rotation, carrying.manifold.normal);
+    const auto& normals = bodies.convex(carrying.body, carrying.part).normals;
+    return std::any_of(normals.begin(), normals.end(), [&](Vec2 m) { return isSameWay(m, n); });
 }
 
 /// True for two lines of a body, which follow their links instead. Lines of a fine valley rise by
@@ -100,7 +100,7 @@ void hideBehind(const HidingStep& step, std::uint32_t carrier, std::uint32_t slo
     const ConvexShape& piece = bodies.convex(ground.body, ground.part);
     const bool sameWay = contact.manifold.count > 0 && isSameWay(ground.manifold.normal, normal);
     if (sameWay || piece.isPlane() || ground.carried != carrying.carried ||
-        areChain(bodies, carrying, ground)) {
+        !isOfFace(bodies, carrying) || areChain(bodies, carrying, ground)) {
         return;
     }
     const Vec2 point = surfaceOf(bodies, carrying, ground);

@@ -19,13 +19,13 @@ inline bool isSameWay(Vec2 a, Vec2 b) {
 ///
 /// A body that slides over two flush immovable pieces, or lands on them, meets the side or a corner
 /// of the second. A contact keeps the body above the surface of the first for the whole step, also
-/// before it touches. So if the whole second piece lies below that surface, its contact is hidden
-/// for the step; without a point, once the body touches the first. If the piece rises from the
-/// surface that the body touches, even by less than a slop, a contact at its lowest vertex becomes
-/// one with the face that rises. A real step or wall keeps its contact. Only contacts of the same
-/// part are compared: another part, such as a fork around a wall, may be below the surface. A blow
-/// may turn the far end of a body into a hidden piece within the step: ContinuousCollision stops a
-/// pair that meets along the surface.
+/// before it touches; a corner does not, as the body may turn on it. So if the whole second piece
+/// lies below that surface, its contact is hidden for the step; without a point, once the body
+/// touches the first. If the piece rises from the surface that the body touches, even by less than
+/// a slop, a contact at its lowest vertex becomes one with the face that rises. A real step or wall
+/// keeps its contact. Only contacts of the same part are compared: another part, such as a fork
+/// around a wall, may be below the surface. A blow may turn the far end of a body into a hidden
+/// piece within the step: ContinuousCollision stops a pair that meets along the surface.
 class GhostCollisions {
 public:
     /// Sizes the array by body.
