@@ -43,9 +43,10 @@ Real timeOfImpact(const ConvexShape& shapeA, const MotionPath& a, const ConvexSh
                   const MotionPath& b, Real target, Real from = 0);
 
 /// For a shape whose middle is in front of a one-sided line and its neighbours, even if it touches
-/// or overlaps it: the fraction of the step after which its middle, or with `corners` or of a shape
-/// that is thinner than `slop` (m) a vertex, has come down to slop / 4 over the line; 1 or more if
-/// none does. Points that start within `slop` may come down to -slop: the contact holds them.
+/// or overlaps it: the fraction of the step after which its middle has come down to slop / 4 over
+/// the line, or with `corners` one of its corners, which count for shapes thinner than `slop` (m)
+/// anyway; 1 or more if none does. Points that start within `slop` may come down to -slop: the
+/// contact holds them.
 Real timeBehind(const ConvexShape& line, const MotionPath& a, const ConvexShape& other,
                 const MotionPath& b, Real slop, bool corners);
 

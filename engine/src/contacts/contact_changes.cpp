@@ -13,7 +13,7 @@ inline namespace KODO_PRECISION {
 void ContactSet::freeDetached() {
     if (store_.freeDetached()) {
         store_.renumber(records_.toggled());
-        contactsChanged_ = liveStale_ = true;
+        changed();
     }
 }
 
@@ -129,7 +129,7 @@ void ContactSet::putBack(std::span<const StoredContact> returning, Bodies& bodie
         }
     }
     if (!slots.empty()) {
-        contactsChanged_ = liveStale_ = true;
+        changed();
     }
 }
 
@@ -151,7 +151,7 @@ void ContactSet::bodyChanged(const Bodies& bodies, const Tolerances& tolerances,
 
 /// Updates the bounds of the bodies in changes_ and describes their contacts.
 void ContactSet::renewChanged(const Bodies& bodies, const Tolerances& tolerances) {
-    contactsChanged_ = liveStale_ = true;
+    changed();
     std::sort(changes_.begin(), changes_.end()); // total order: bodies are unique
     resizeByBody(hasChanged_, bodies);
     touchCounts_.resize(bodies);
@@ -187,7 +187,7 @@ void ContactSet::applyChanges(const Bodies& bodies, const Tolerances& tolerances
         addArrivals(activityChanges_);
     }
     if (std::exchange(stale_, false)) {
-        contactsChanged_ = liveStale_ = true;
+        changed();
         candidates_.renew(bodies, tolerances);
         touchCounts_.resize(bodies);
         store_.describe(bodies, candidates_.bounds());

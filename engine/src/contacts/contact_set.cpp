@@ -34,7 +34,7 @@ void ContactSet::updatePairs(Bodies& bodies, const JointLists& joints, const Tol
     records_.begin();
     applyChanges(bodies, tolerances);
     if (store_.countStep() && store_.sort()) {
-        contactsChanged_ = liveStale_ = true;
+        changed();
     }
     if (!bodies.leftOut.has(Feature::Collision)) {
         candidates_.bounds().coverPrediction(bodies, tolerances, dt, team);
@@ -58,7 +58,7 @@ void ContactSet::refreshPairs(Bodies& bodies, const JointLists& joints, WorkerTe
     if (store_.findChanges(candidates_, team)) {
         store_.forEachRemoved([&](std::uint32_t slot) { addEnd(store_.copyOf(slot, bodies)); });
         store_.merge(candidates_, bodies, team);
-        contactsChanged_ = liveStale_ = true;
+        changed();
     }
     candidates_.bounds().clearChanged();
 }

@@ -149,6 +149,8 @@ private:
     void addEnd(const StoredContact& contact);
     void renewChanged(const Bodies& bodies, const Tolerances& tolerances);
     void refreshPairs(Bodies& bodies, const JointLists& joints, WorkerTeam& team);
+    /// Contacts were added, removed or moved to other slots.
+    void changed() { contactsChanged_ = liveStale_ = true; }
     void findKinds(const Bodies& bodies, WorkerTeam& team);
     void finishContact(std::uint32_t slot, bool touchesInRow, const Tolerances& tolerances,
                        const WorkerTeam& team, std::vector<std::uint32_t>& toggled);

@@ -21,9 +21,9 @@ inline bool looksAgain(const StepSettings& settings) {
     return std::holds_alternative<SoftSettings>(settings.solver);
 }
 
-/// Approach (m) within a step up to which its contact points hold a touching pair. Past the centres
-/// of both parts, they would separate it to the wrong side. Where nobody looks again, a blow may
-/// turn other corners of a body into what does not give way.
+/// Approach (m) within a step up to which contact points hold a touching pair. Past the centres of
+/// both parts, the pair would separate to the wrong side. With manifolds of the start of the step
+/// alone, a blow may turn other corners into a locked body within the step.
 inline Real heldApproach(const StepSettings& settings, Real coreA, Real coreB, bool againstLocked) {
     return againstLocked && !looksAgain(settings) ? allowedApproach(coreA, coreB, true)
                                                   : (coreA + coreB) / 2;

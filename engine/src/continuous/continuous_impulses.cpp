@@ -54,9 +54,8 @@ void ContinuousCollision::holdBackAtGround(const Step& step, std::uint32_t body,
                 separation(step.bodies.convex(bodyA, partA), pathOf(step.bodies, bodyA).at(time),
                            step.bodies.convex(bodyB, partB), pathOf(step.bodies, bodyB).at(time));
             if (distance <= step.tolerances.margin) {
-                const Real into = dot(axis, push_[body]);
-                push_[body] -=
-                    (ground == bodyA ? std::min(into, Real(0)) : std::max(into, Real(0))) * axis;
+                const Vec2 out = ground == bodyA ? axis : -axis;
+                push_[body] -= std::min(dot(out, push_[body]), Real(0)) * out;
             }
         }
     });
