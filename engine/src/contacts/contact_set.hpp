@@ -118,10 +118,6 @@ public:
     void leavePasses(const Bodies& bodies);
     /// The manifold of a contact was replaced, and its approach speed measured.
     void manifoldChanged(std::uint32_t slot);
-    /// Assigns all lanes of the passes again; see ContactBlocks::rebuildGraph.
-    void rebuildLanes(const Bodies& bodies, std::uint32_t partitions) {
-        lanes().rebuildGraph(bodies, store_.all(), store_.slotsInOrder(), partitions);
-    }
     /// Adds the pairs of bodies that the solver moved farther than updatePairs predicted.
     void coverDisplacements(Bodies& bodies, const JointLists& joints, const Tolerances& tolerances,
                             WorkerTeam& team);

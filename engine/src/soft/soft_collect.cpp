@@ -64,17 +64,18 @@ void SoftSolver::takeNewcomer(const Bodies& bodies, ContactSet& contactSet, std:
 
 /// Prepares the collection of contacts in a step.
 void SoftSolver::beginCollecting(const StepInput& step) {
-    ContactSet& contactSet = step.contactSet;
+    ContactStore& store = step.contactSet.store();
     const std::uint32_t partitions = step.team.partitions();
-    ContactBlocks& blocks = contactSet.lanes();
+    ContactBlocks& blocks = store.lanes();
     bool shared = false;
     for (std::uint32_t level = 0; partitions > 1 && level < ContactBlocks::kLevels; ++level) {
         shared = shared || blocks.worthPartitioning(level);
     }
     if (blocks.countReorder() || (shared && blocks.partitions().count() != partitions)) {
-        contactSet.rebuildLanes(step.bodies, shared ? partitions : 1);
+        blocks.rebuildGraph(step.bodies, store.all(), store.slotsInOrder(),
+                            shared ? partitions : 1);
     }
-    blocks.begin(contactSet.store().all(), step.settings.has(Feature::Friction),
+    blocks.begin(store.all(), step.settings.has(Feature::Friction),
                  step.settings.has(Feature::RollingResistance));
     clearMarks(step.bodies, step.joints);
     newcomers_.clear();
