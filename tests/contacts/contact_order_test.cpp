@@ -56,6 +56,9 @@ public:
         }
         blocks().arrange(bodies, set.store().all(), newcomers, {}, 3);
     }
+    void rebuildLanes(std::uint32_t partitions) {
+        blocks().rebuildGraph(bodies, set.store().all(), set.store().slotsInOrder(), partitions);
+    }
     ContactBlocks& blocks() { return set.lanes(); }
     /// Removes bodies and puts them back, so that their contacts are new.
     void stir(support::RandomNumbers& random, int count) {
@@ -131,7 +134,7 @@ TEST(ContactOrder, OfRebuiltLanesIsThatOfThePass) {
         for (const ContactSummary& summary : lattice.set.summaries()) {
             colours.push_back(summary.row.colour);
         }
-        lattice.set.rebuildLanes(lattice.bodies, partitions);
+        lattice.rebuildLanes(partitions);
         lattice.take();
         EXPECT_EQ(blocks.size(), rows);
         EXPECT_EQ(blocks.partitions().count(), partitions);
@@ -160,7 +163,7 @@ TEST(ContactOrder, OfRebuiltLanesIsThatOfThePass) {
 // Contacts that keep their lanes do not stray, even if the lanes are filled again.
 TEST(ContactOrder, OfLanesNeedsNoRebuildWithoutNewContacts) {
     Lattice lattice(24);
-    lattice.set.rebuildLanes(lattice.bodies, 1);
+    lattice.rebuildLanes(1);
     for (std::uint64_t step = 0; step < 10 * ReorderPolicy::kSteps; ++step) {
         lattice.blocks().discardLanes();
         lattice.step();

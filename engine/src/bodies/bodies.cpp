@@ -15,9 +15,8 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
 
-/// Must be called before a core radius is removed.
-void noteThickness(Bodies& bodies, std::uint32_t index) {
-    bodies.thinnestAge += bodies.extent[index].coreRadius <= bodies.thinnest ? 1 : 0;
+std::size_t countIfThin(const Bodies& bodies, std::uint32_t index) {
+    return bodies.extent[index].coreRadius > 0 ? 0 : 1;
 }
 
 /// Updates the list of awake bodies for changes of some, in order and without duplicates.
@@ -101,7 +100,6 @@ BodyId addBody(Bodies& bodies, const BodyDef& def, std::shared_ptr<const BodyGeo
     const Rot rotation = normalize(def.rotation);
     bodies.pose[slot.index] = {def.position + rotation * geometry->mass.center, rotation};
     bodies.acceleration[slot.index] = {};
-    bodies.thinnest = std::min(bodies.thinnest, geometry->coreRadius);
     BodyRecord record;
     record.geometry = std::move(geometry);
     record.userData = def.userData;
@@ -116,11 +114,12 @@ BodyId addBody(Bodies& bodies, const BodyDef& def, std::shared_ptr<const BodyGeo
     bodies.noteArrival(slot.index);
     bodies.noteMove(slot.index);
     refreshDerived(bodies, slot.index);
+    bodies.thin += countIfThin(bodies, slot.index);
     return bodies.idAt(slot.index);
 }
 
 void removeBody(Bodies& bodies, std::uint32_t index) {
-    noteThickness(bodies, index);
+    bodies.thin -= countIfThin(bodies, index);
     bodies.ids.release(index);
     bodies.motion[index] = {};
     bodies.pose[index] = {};
@@ -195,14 +194,6 @@ void freeze(Bodies& bodies, std::uint32_t body) {
     bodies.noteActivity(body);
 }
 
-void findThinnest(Bodies& bodies) {
-    bodies.thinnestAge = 0;
-    bodies.thinnest = std::numeric_limits<Real>::max();
-    bodies.ids.forEach([&](std::uint32_t i) {
-        bodies.thinnest = std::min(bodies.thinnest, bodies.extent[i].coreRadius);
-    });
-}
-
 bool refreshAwake(Bodies& bodies) {
     std::vector<std::uint32_t>& changed = bodies.changes.activity;
     if (std::exchange(bodies.anyStopped, false)) {
@@ -212,12 +203,6 @@ bool refreshAwake(Bodies& bodies) {
     if (std::exchange(bodies.changes.allActivity, false)) {
         changed.resize(bodies.size());
         std::iota(changed.begin(), changed.end(), 0u);
-    }
-    if (bodies.thinnestAge > 0) {
-        bodies.thinnestAge += 1 + changed.size();
-    }
-    if (bodies.thinnestAge > bodies.size() / 4) {
-        findThinnest(bodies);
     }
     if (changed.empty()) {
         return false;
@@ -270,12 +255,12 @@ void setGeometry(Bodies& bodies, std::uint32_t index,
     const Vec2 origin = bodies.originOf(index);
     Transform& pose = bodies.pose[index];
     pose.position = origin + pose.rotation * geometry->mass.center;
-    noteThickness(bodies, index);
-    bodies.thinnest = std::min(bodies.thinnest, geometry->coreRadius);
+    bodies.thin -= countIfThin(bodies, index);
     bodies.record[index].geometry = std::move(geometry);
     bodies.noteArrival(index);
     bodies.teleported(index);
     refreshDerived(bodies, index);
+    bodies.thin += countIfThin(bodies, index);
 }
 
 void setGeometryInMotion(Bodies& bodies, std::uint32_t index,

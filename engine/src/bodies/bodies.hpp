@@ -76,13 +76,9 @@ struct Bodies {
     /// Other bodies cost no time in a step.
     std::vector<std::uint32_t> awake;
     std::vector<std::uint32_t> nextAwake; // scratch of refreshAwake
-    /// m; lower bound of Extent::coreRadius of all bodies. Continuous collision skips bodies that
-    /// move by less; no result depends on it. A line or point makes it 0: then it skips none.
-    Real thinnest = 0;
-    LoadRange loads; // see noteLoads()
+    std::size_t thin = 0; // number of bodies without a core radius: with a point or a line
+    LoadRange loads;      // see noteLoads()
     BodyChanges changes;
-    /// 0 if `thinnest` is exact, else changes and steps until it is computed: a quarter of `size`.
-    std::size_t thinnestAge = 1;
     bool anyStopped = false;        // a kinematic body in the list has become motionless
     bool anySleeping = true;        // during the solve
     Features leftOut;               // StepSettings::leaveOut
@@ -141,6 +137,11 @@ struct Bodies {
     /// World position of the shape's frame. Its origin may differ from the centre of mass.
     Vec2 originOf(std::size_t index) const {
         return pose[index].position - pose[index].rotation * geometry(index).mass.center;
+    }
+    /// Pose at the end of the displacement of this step.
+    Transform endPose(std::size_t index) const {
+        return {pose[index].position + motion[index].deltaPosition,
+                turned(pose[index].rotation, motion[index].deltaAngle)};
     }
 
 private:
@@ -218,9 +219,6 @@ void visitState(StateStream& stream, Bodies& bodies,
 /// Brings Bodies::awake up to date. True if any body may have become active or inactive;
 /// BodyChanges::toggled lists those that did.
 bool refreshAwake(Bodies& bodies);
-
-/// Computes Bodies::thinnest.
-void findThinnest(Bodies& bodies);
 
 /// Clears the list of arrivals.
 void clearArrivals(Bodies& bodies);

@@ -154,8 +154,8 @@ void PartList::visitState(StateStream& stream) {
 void visitState(StateStream& stream, Bodies& bodies,
                 std::shared_ptr<const BodyGeometry>& lastGeometry) {
     auto& [ids, stamp, motion, pose, acceleration, extent, teleportCount, hasTeleported, hasArrived,
-           start, filter, records, parts, sleep, forced, awake, nextAwake, thinnest, loads, changes,
-           thinnestAge, anyStopped, anySleeping, leftOut, accelerationsStale] = bodies;
+           start, filter, records, parts, sleep, forced, awake, nextAwake, thin, loads, changes,
+           anyStopped, anySleeping, leftOut, accelerationsStale] = bodies;
     Geometries geometries;
     for (const BodyRecord& record : records) {
         geometries.note(record.geometry);
@@ -166,6 +166,7 @@ void visitState(StateStream& stream, Bodies& bodies,
     stream(ids);
     if (stream.reads()) {
         stamp = 0; // bytes do not store the World of an id
+        thin = 0;
         makeRoom(bodies, ids.capacity());
     }
     for (std::uint32_t i = 0; i < bodies.size(); ++i) {
@@ -180,6 +181,7 @@ void visitState(StateStream& stream, Bodies& bodies,
                    acceleration[i], sleep[i], crowdRank);
             if (stream.reads()) {
                 completeBody(bodies, i);
+                thin += extent[i].coreRadius > 0 ? 0 : 1;
             }
         }
     }
@@ -187,7 +189,6 @@ void visitState(StateStream& stream, Bodies& bodies,
     stream(awake, allActivity);
     if (stream.reads()) {
         changes.allActivity = allActivity;
-        findThinnest(bodies);
         checkAwake(bodies);
     }
 }

@@ -102,7 +102,7 @@ Manifold collideOnSide(const Bodies& bodies, const ContactKey& key, const Jointe
 
 void LineSides::link(const Spread& step) {
     slots_.clear();
-    if (step.bodies.thinnest > 0) { // lines are thin
+    if (step.bodies.thin == 0) {
         return;
     }
     reserveReusing(slots_, step.store.size());

@@ -251,8 +251,7 @@ void ContactSet::updateManifolds(Bodies& bodies, const Tolerances& tolerances, R
     if (std::exchange(contactsChanged_, false)) {
         findKinds(bodies, team);
         ghostCollisions_.link(bodies, summaries(), onGround_);
-        const bool anyLines = !(bodies.thinnest > 0); // points and lines have no core radius
-        oneWayBodies_.link(bodies, contacts(), anyLines ? summaries() : Summaries());
+        oneWayBodies_.link(bodies, contacts(), bodies.thin > 0 ? summaries() : Summaries());
     }
     if (!oneWayBodies_.empty()) {
         oneWayBodies_.hide({bodies, store_, tolerances, dt});

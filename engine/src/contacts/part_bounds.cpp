@@ -25,11 +25,6 @@ bool isFarLarger(const Octagon& stored, const Octagon& needed, Real factor) {
     return own.x + own.y > factor * (least.x + least.y);
 }
 
-/// Pose at the end of the displacement of this step.
-Transform poseAfter(const Transform& pose, const BodyVelocity& motion) {
-    return {pose.position + motion.deltaPosition, turned(pose.rotation, motion.deltaAngle)};
-}
-
 } // namespace
 
 void PartBounds::number(const Bodies& bodies) {
@@ -285,7 +280,7 @@ void PartBounds::coverDisplacements(const Bodies& bodies, const Tolerances& tole
             !isSound(motion, tolerances.unit())) {
             return false; // within the prediction, or about to be frozen
         }
-        const Octagon after = at(bodies, i, poseAfter(bodies.pose[body], motion));
+        const Octagon after = at(bodies, i, bodies.endPose(body));
         if (grown_[i].contains(after)) {
             return false;
         }

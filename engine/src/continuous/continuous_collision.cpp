@@ -26,6 +26,17 @@ constexpr std::size_t kCandidatesPerPiece = 64;
 /// out, a stopped pair may overlap by a rounding error.
 constexpr Real kStopShort = sizeof(Real) == 4 ? Real(1) / 1024 : Real(1) / 65536;
 
+/// True if a separated pair would overlap at the end of the step along an axis on which its extents
+/// overlap before: on a ledge that is narrower than the overlap is deep. Its contact points would
+/// push it off the ledge. On such an axis rotations count as no approach.
+bool entersAside(const Bodies& bodies, const Contact& contact, Real slop) {
+    const auto [bodyA, partA, bodyB, partB] = contact.key;
+    const auto [axis, distance] = separation(bodies.convex(bodyA, partA), bodies.endPose(bodyA),
+                                             bodies.convex(bodyB, partB), bodies.endPose(bodyB));
+    const Vec2 way = bodies.motion[bodyB].deltaPosition - bodies.motion[bodyA].deltaPosition;
+    return std::max(distance, distance - dot(axis, way)) < -slop;
+}
+
 /// Separation (m) at which to stop a pair that has the separation `gap` and approaches by `motion`
 /// (m). No value if the pair needs no continuous collision: it cannot come that close within the
 /// step, or the overlap would do no harm.
@@ -51,7 +62,9 @@ std::optional<Real> stoppingGap(const StepInput& input, const Contact& contact, 
         const bool bounces =
             contact.bounces && !contact.hidden && input.settings.has(Feature::Restitution);
         const bool far = motion > allowedApproach(shapeA.coreRadius, shapeB.coreRadius, locked);
-        return bounces || far ? std::optional(near) : std::nullopt;
+        return bounces || far || (locked && entersAside(bodies, contact, slop))
+                   ? std::optional(near)
+                   : std::nullopt;
     }
     const Real thickness = shapeA.coreRadius + shapeB.coreRadius;
     const Real deepest = std::min(4 * slop, thickness);
@@ -110,12 +123,12 @@ bool closes(const StepInput& input, std::uint32_t slot) {
     const MovingBody b{summary.bodyB, extentB.rotationReach};
     const Real motion = relativeMotion(bodies, a, b);
     const Real gap = gapOf(bodies, contactSet, slot, tolerances);
-    if (motion < gap || (motion <= far && !summary.bounces)) {
+    const bool apart = gap > tolerances.slop;
+    if (motion < gap || (motion <= far && !summary.bounces && !(locked && apart))) {
         return false;
     }
     const Real held = heldApproach(input.settings, extentA.coreRadius, extentB.coreRadius, locked);
-    return (gap > tolerances.slop || motion > held ||
-            isUnheld(bodies, contactSet, slot, tolerances.slop)) &&
+    return (apart || motion > held || isUnheld(bodies, contactSet, slot, tolerances.slop)) &&
            mayMeet(bodies, bounds, summary, tolerances);
 }
 
@@ -135,21 +148,18 @@ void ContinuousCollision::makeRoom(const Bodies& bodies) {
     candidates_.reserve(bodies.record.capacity());
 }
 
-/// Marks the swift bodies. A pair without a swift body needs no continuous collision, for one of
-/// two reasons. It cannot close a gap wider than the slop, and closes a narrower one by less than
-/// half of the core radii. Or no contact has restitution, and each body moves by at most half of
-/// what the thinnest body may enter a locked one. False if no body is swift.
-bool ContinuousCollision::markSwift(const Bodies& bodies, bool mayBounce,
-                                    const Tolerances& tolerances, WorkerTeam& team) {
-    const Real unseen =
-        mayBounce ? Real(0) : allowedApproach(bodies.thinnest, bodies.thinnest, true) / 2;
+/// Marks the swift bodies. A pair without a swift body needs no continuous collision: it cannot
+/// close a gap wider than the slop, and closes a narrower one by less than half of the core radii.
+/// False if no body is swift.
+bool ContinuousCollision::markSwift(const Bodies& bodies, const Tolerances& tolerances,
+                                    WorkerTeam& team) {
     std::uint8_t anySwift = 0;
     team.forEach(bodies.awake.size(), kPairsPerPiece, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
             const std::uint32_t body = bodies.awake[k];
             const Extent& extent = bodies.extent[body];
             const Real way = bodies.motion[body].way(extent.rotationReach);
-            if (way > unseen && !(way <= tolerances.slop / 2 && way < extent.coreRadius / 4) &&
+            if (way > 0 && !(way <= tolerances.slop / 2 && way < extent.coreRadius / 4) &&
                 modeOf(bodies, body, body) != ContinuousMode::Never) {
                 swift_[body] = 1;
                 WorkerTeam::mark(anySwift);
@@ -165,8 +175,7 @@ void ContinuousCollision::run(const StepInput& input) {
     candidates_.clear();
     stoppedAtLines_.clear();
     bool sensors = false;
-    if (markSwift(bodies, contactSet.mayBounce(), input.tolerances, input.team) ||
-        contactSet.mayHaveSensors()) {
+    if (markSwift(bodies, input.tolerances, input.team) || contactSet.mayHaveSensors()) {
         sensors = findCandidates(input);
     }
     if (!candidates_.empty() || sensors) {

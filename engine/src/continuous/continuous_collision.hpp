@@ -52,8 +52,7 @@ private:
         bool driven; // a locked body moves
     };
 
-    bool markSwift(const Bodies& bodies, bool mayBounce, const Tolerances& tolerances,
-                   WorkerTeam& team);
+    bool markSwift(const Bodies& bodies, const Tolerances& tolerances, WorkerTeam& team);
     bool findCandidates(const StepInput& input);
     bool isSwift(const Bodies& bodies, const ContactSummary& summary) const {
         return (swift_[summary.bodyA] | swift_[summary.bodyB]) != 0 &&

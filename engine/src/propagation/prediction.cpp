@@ -98,6 +98,13 @@ public:
     void findHere() { find(hereA_, hereB_); }
     void findThere() { find(thereA_, thereB_); }
 
+    /// After findThere(): true if the shapes overlap along an axis on which their extents overlap
+    /// here as well: on a ledge that is narrower than the overlap is deep.
+    bool entersAside() const {
+        return contact_.manifold.count > 0 &&
+               lane_.separation(0) + std::max(closing(0), Real(0)) < -prediction_.tolerances.slop;
+    }
+
     /// Decrease (m) of the separation of point i by the motion.
     Real closing(std::size_t i) const {
         return approach(contact_, i, difference(thereA_, hereA_), difference(thereB_, hereB_));
@@ -147,11 +154,17 @@ std::array<Real, 2> predictContact(Contact& contact, const ContactLane& lane, co
     Way way(contact, lane, bodies, prediction);
     const bool hardlyMoves = way.motion() <= prediction.tolerances.margin / 2 || way.leaves();
     const bool swept = prediction.swept && areChecked(bodies, contact.key.bodyA, contact.key.bodyB);
-    const bool outruns = way.ofLine() || (swept && way.outruns());
+    bool outruns = way.ofLine() || (swept && way.outruns());
     if (swept && !prediction.fresh && outruns && way.outran()) {
         way.clear();
     } else if (!hardlyMoves && !outruns) {
         way.findThere();
+        const bool locked =
+            bodies.locked(contact.key.bodyA) || bodies.locked(contact.key.bodyB);
+        if (locked && way.entersAside()) {
+            way.findHere();
+            outruns = true;
+        }
     } else if (!prediction.fresh) {
         way.findHere();
     }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "soft/manifold_refresh.hpp"
 
-#include "collide/time_of_impact.hpp"
 #include "contacts/contact_update.hpp"
 
 #include <algorithm>
@@ -105,8 +104,8 @@ void ManifoldRefresh::find(const Step& step, std::uint32_t slot) {
     const BodyVelocity& b = bodies.motion[bodyB];
     const Transform startA = bodies.pose[bodyA];
     const Transform startB = bodies.pose[bodyB];
-    bodies.pose[bodyA] = MotionPath{startA, a.deltaPosition, a.deltaAngle}.at(1);
-    bodies.pose[bodyB] = MotionPath{startB, b.deltaPosition, b.deltaAngle}.at(1);
+    bodies.pose[bodyA] = bodies.endPose(bodyA);
+    bodies.pose[bodyB] = bodies.endPose(bodyB);
     Tolerances wider = tolerances;
     wider.margin += wayOf(bodies, entry.summary, step.h);
     findContact(contact, lane, bodies, wider, step.dt);
