@@ -64,7 +64,7 @@ public:
         for (std::uint32_t body = 0; body < bodies_.size(); ++body) {
             if (bodies_.ids.aliveAt(body)) {
                 EXPECT_EQ(bodies_.start[body], bodies_.pose[body].position) << body;
-                thin += bodies_.extent[body].coreRadius > 0 ? 0 : 1;
+                thin += bodies_.extent[body].thin();
             }
             if (bodies_.ids.aliveAt(body) && bodies_.active(body)) {
                 awake.push_back(body);

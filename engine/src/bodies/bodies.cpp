@@ -15,10 +15,6 @@ namespace kodo {
 inline namespace KODO_PRECISION {
 namespace {
 
-std::size_t countIfThin(const Bodies& bodies, std::uint32_t index) {
-    return bodies.extent[index].coreRadius > 0 ? 0 : 1;
-}
-
 /// Updates the list of awake bodies for changes of some, in order and without duplicates.
 void updateAwake(Bodies& bodies, std::span<const std::uint32_t> changed) {
     BodyChanges& changes = bodies.changes;
@@ -114,12 +110,12 @@ BodyId addBody(Bodies& bodies, const BodyDef& def, std::shared_ptr<const BodyGeo
     bodies.noteArrival(slot.index);
     bodies.noteMove(slot.index);
     refreshDerived(bodies, slot.index);
-    bodies.thin += countIfThin(bodies, slot.index);
+    bodies.thin += bodies.extent[slot.index].thin();
     return bodies.idAt(slot.index);
 }
 
 void removeBody(Bodies& bodies, std::uint32_t index) {
-    bodies.thin -= countIfThin(bodies, index);
+    bodies.thin -= bodies.extent[index].thin();
     bodies.ids.release(index);
     bodies.motion[index] = {};
     bodies.pose[index] = {};
@@ -255,12 +251,12 @@ void setGeometry(Bodies& bodies, std::uint32_t index,
     const Vec2 origin = bodies.originOf(index);
     Transform& pose = bodies.pose[index];
     pose.position = origin + pose.rotation * geometry->mass.center;
-    bodies.thin -= countIfThin(bodies, index);
+    bodies.thin -= bodies.extent[index].thin();
     bodies.record[index].geometry = std::move(geometry);
     bodies.noteArrival(index);
     bodies.teleported(index);
     refreshDerived(bodies, index);
-    bodies.thin += countIfThin(bodies, index);
+    bodies.thin += bodies.extent[index].thin();
 }
 
 void setGeometryInMotion(Bodies& bodies, std::uint32_t index,

@@ -181,7 +181,7 @@ void visitState(StateStream& stream, Bodies& bodies,
                    acceleration[i], sleep[i], crowdRank);
             if (stream.reads()) {
                 completeBody(bodies, i);
-                thin += extent[i].coreRadius > 0 ? 0 : 1;
+                thin += extent[i].thin();
             }
         }
     }

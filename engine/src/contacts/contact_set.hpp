@@ -99,7 +99,7 @@ public:
     void updateManifolds(Bodies& bodies, const Tolerances& tolerances, Real dt, WorkerTeam& team);
     /// Hides the ghost collisions of manifolds at the poses that a solver predicts; replaces none.
     void hidePredicted(const Bodies& bodies, const Tolerances& tolerances) {
-        ghostCollisions_.hide({bodies, store_, tolerances, 0});
+        ghostCollisions_.hide({bodies, store_, tolerances, 0, liveStale_});
     }
     /// Measures the approach speeds of a body's contacts again, after its velocity has changed.
     void measureApproach(const Bodies& bodies, std::uint32_t body);

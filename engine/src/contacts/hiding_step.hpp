@@ -7,6 +7,8 @@
 #include "contacts/contact_store.hpp"
 #include "contacts/contact_update.hpp"
 
+#include <utility>
+
 namespace kodo {
 inline namespace KODO_PRECISION {
 
@@ -15,7 +17,8 @@ struct HidingStep {
     const Bodies& bodies;
     ContactStore& store;
     const Tolerances& tolerances;
-    Real dt; // s; 0: manifolds ahead of the poses
+    Real dt;         // s; 0: manifolds ahead of the poses
+    bool& liveStale; // set where a contact ceases to be idle
 
     const Contact& contact(std::uint32_t slot) const { return store.contacts()[slot]; }
     /// Hides a contact in this step. `normal`: of the surface above the ground of the contact, as
@@ -34,7 +37,7 @@ struct HidingStep {
         contact.filled = false;
         lane.setSeparations(manifold);
         measureApproach(contact, lane, bodies);
-        store.summaries()[slot].idle = false;
+        liveStale = std::exchange(store.summaries()[slot].idle, false) || liveStale;
         store.summaries()[slot].mayTouch = manifold.count > 0;
     }
 };

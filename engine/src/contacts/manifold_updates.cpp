@@ -254,9 +254,9 @@ void ContactSet::updateManifolds(Bodies& bodies, const Tolerances& tolerances, R
         oneWayBodies_.link(bodies, contacts(), bodies.thin > 0 ? summaries() : Summaries());
     }
     if (!oneWayBodies_.empty()) {
-        oneWayBodies_.hide({bodies, store_, tolerances, dt});
+        oneWayBodies_.hide({bodies, store_, tolerances, dt, liveStale_});
     }
-    ghostCollisions_.hide({bodies, store_, tolerances, dt});
+    ghostCollisions_.hide({bodies, store_, tolerances, dt, liveStale_});
 }
 
 /// Finds whether any contact has a sensor or restitution. Lists the contacts between an immovable

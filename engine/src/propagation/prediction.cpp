@@ -159,8 +159,7 @@ std::array<Real, 2> predictContact(Contact& contact, const ContactLane& lane, co
         way.clear();
     } else if (!hardlyMoves && !outruns) {
         way.findThere();
-        const bool locked =
-            bodies.locked(contact.key.bodyA) || bodies.locked(contact.key.bodyB);
+        const bool locked = bodies.locked(contact.key.bodyA) || bodies.locked(contact.key.bodyB);
         if (locked && way.entersAside()) {
             way.findHere();
             outruns = true;
