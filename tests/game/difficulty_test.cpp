@@ -25,7 +25,7 @@ TEST(Difficulty, RankCorrelationOfKnownLists) {
 // Six games of two minutes: with two games of one, one ball lost early weighs a tenth.
 TEST(Difficulty, SkillsRise) {
     const Level level = levelOf("bbbbbbbbbbbbbbb\nbbbbbbbbbbbbbbb\nbbbbbbbbbbbbbbb\n", 15000);
-    const LevelDifficulty found = difficultyOf(level, 6, 7200);
+    const LevelDifficulty found = difficultyOf(level, {.seeds = 6, .mostTicks = 7200});
     for (std::size_t i = 1; i < kSkills.size(); ++i) {
         EXPECT_GT(found.skills[i].cleared, found.skills[i - 1].cleared - 0.1) << i;
     }
@@ -35,7 +35,7 @@ TEST(Difficulty, SkillsRise) {
 // A row of glass above a paddle that never moves: the ball comes back to it, or three are lost.
 TEST(Difficulty, ThePlayerWhoNeverMovesIsPlayedButIsNoSkill) {
     const Level level = levelOf("bbbbbbbbbbbbbbb\nbbbbbbbbbbbbbbb\nbbbbbbbbbbbbbbb\n", 15000);
-    const LevelDifficulty found = difficultyOf(level, 2, 3600);
+    const LevelDifficulty found = difficultyOf(level, {.seeds = 2, .mostTicks = 3600});
     EXPECT_EQ(found.absent.games, 2u);
     EXPECT_EQ(found.absent.won, 0u);
     EXPECT_GT(found.absent.cleared, 0);
@@ -47,6 +47,23 @@ TEST(Difficulty, ThePlayerWhoNeverMovesIsPlayedButIsNoSkill) {
     }
     EXPECT_EQ(game.world()[game.paddle()].position().x, place.x);
     EXPECT_FALSE(game.serving() && game.lives() == level.lives) << "it serves";
+}
+
+// What all skills clear with seeds 3 and 4 is not what they clear with 1 and 2.
+TEST(Difficulty, TheFirstSeedChoosesTheGames) {
+    const Level level = levelOf("bbbbbbbbbbbbbbb\nbbbbbbbbbbbbbbb\n", 15000);
+    const auto clearedFrom = [&](const LintOptions& options) {
+        std::vector<double> cleared;
+        for (const SkillGames& games : difficultyOf(level, options).skills) {
+            cleared.push_back(games.cleared);
+        }
+        return cleared;
+    };
+    const auto first = clearedFrom({.seeds = 2, .mostTicks = 1200});
+    EXPECT_EQ(clearedFrom({.seeds = 2, .firstSeed = 1, .mostTicks = 1200}), first);
+    const auto later = clearedFrom({.seeds = 2, .firstSeed = 3, .mostTicks = 1200});
+    EXPECT_EQ(clearedFrom({.seeds = 2, .firstSeed = 3, .mostTicks = 1200}), later);
+    EXPECT_NE(later, first);
 }
 
 TEST(Difficulty, SharesByThemeLeaveOutThemesWithoutALevel) {

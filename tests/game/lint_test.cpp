@@ -105,6 +105,28 @@ TEST(Lint, ALevelThatTheBotCannotFinishInTimeFails) {
     EXPECT_EQ(report.problems.size(), 2u);
 }
 
+// A second set of seeds is other games; the same set is the same games.
+TEST(Lint, TheFirstSeedChoosesTheGames) {
+    const Level level = levelOf("bbbbbbbbbbbbbbb\nbbbbbbbbbbbbbbb\n", 15000);
+    const auto scoresFrom = [&](const LintOptions& options) {
+        std::vector<std::pair<std::uint32_t, std::int32_t>> scores; // by seed
+        for (const BotRun& run : lint(level, options).runs) {
+            scores.emplace_back(run.seed, run.score);
+        }
+        return scores;
+    };
+    const auto first = scoresFrom({.seeds = 4, .mostTicks = 1200});
+    EXPECT_EQ(scoresFrom({.seeds = 4, .firstSeed = 1, .mostTicks = 1200}), first);
+    const auto later = scoresFrom({.seeds = 2, .firstSeed = 3, .mostTicks = 1200});
+    EXPECT_EQ(scoresFrom({.seeds = 2, .firstSeed = 3, .mostTicks = 1200}), later);
+    ASSERT_EQ(first.size(), 4u);
+    ASSERT_EQ(later.size(), 2u);
+    EXPECT_EQ(later[0], first[2]);
+    EXPECT_EQ(later[1], first[3]);
+    EXPECT_EQ(later[0].first, 3u);
+    EXPECT_NE(later[0].second, first[0].second);
+}
+
 /// A block on a ledge with `more` tables.
 Level oneOnALedge(const std::string& more) {
     return levelFrom("format = 1\ntitle = \"t\"\nidea = \"i\"\n[legend.b]\nstuff = \"brick\"\n"

@@ -104,6 +104,25 @@ expect 0 '"passed": true' "$program" lint first_light endless:7:3 --json
 expect 1 'first_light: the bot.s game with seed 1 is not won after 0 s' \
     "$program" lint first_light --ticks 10
 expect 2 'there is no level nowhere' "$program" lint first_light nowhere
+
+# A second set of seeds: other games, the same in each run; unless told, the first seed is 1.
+for part in --json '--difficulty --ticks 1200'; do
+    for seeds in '' '--first-seed 1' '--first-seed 3' '--first-seed 3'; do
+        # shellcheck disable=SC2086
+        "$program" lint first_light $part --seeds 2 $seeds | cksum
+    done >sums.txt
+    [ "$(sed -n 1p sums.txt)" = "$(sed -n 2p sums.txt)" ] &&
+        [ "$(sed -n 3p sums.txt)" = "$(sed -n 4p sums.txt)" ] &&
+        [ "$(sed -n 1p sums.txt)" != "$(sed -n 3p sums.txt)" ] ||
+        { echo "FAILED: lint $part --first-seed plays other games"; failed=1; }
+done
+expect 1 'first_light: the bot.s game with seed 4 is not won after 0 s' \
+    "$program" lint first_light --ticks 10 --seeds 2 --first-seed 3
+expect 0 '--first-seed .*0 - 1000000000' "$program" lint --help
+for seed in -5 many 1000000001 99999999999; do
+    expect 2 "--first-seed: Value $seed not in range 0 to 1000000000. Try apart-headless lint" \
+        "$program" lint first_light --first-seed "$seed"
+done
 expect 0 '^\{"total": .*"ticks": 3000,.*"halts": 0, "escapes": 0, "bends": 0' \
     "$program" soak first_light --ticks 3000 --longest 1000 --endless 1 --json
 

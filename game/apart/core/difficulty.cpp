@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <apart/core/difficulty.hpp>
-#include <apart/core/lint.hpp>
 #include <apart/core/tuning.hpp>
 
 #include <algorithm>
@@ -41,15 +40,16 @@ double LevelDifficulty::ease() const {
     return sum / static_cast<double>(skills.size());
 }
 
-LevelDifficulty difficultyOf(const Level& level, std::uint32_t seeds, std::uint32_t mostTicks) {
+LevelDifficulty difficultyOf(const Level& level, const LintOptions& options) {
     const auto gamesOf = [&](BotKind player) {
         SkillGames sum;
-        for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
-            const BotRun run = runBot(level, seed, mostTicks, player);
+        for (std::uint32_t game = 0; game < options.seeds; ++game) {
+            const std::uint32_t seed = options.firstSeed + game;
+            const BotRun run = runBot(level, seed, options.mostTicks, player);
             ++sum.games;
             sum.won += run.result == Result::Won ? 1 : 0;
-            sum.cleared += run.cleared / seeds;
-            sum.seconds += static_cast<double>(run.ticks) / kTicksPerSecond / seeds;
+            sum.cleared += run.cleared / options.seeds;
+            sum.seconds += static_cast<double>(run.ticks) / kTicksPerSecond / options.seeds;
         }
         return sum;
     };

@@ -3,6 +3,7 @@
 
 #include <apart/core/bot.hpp>
 #include <apart/core/level.hpp>
+#include <apart/core/lint.hpp>
 
 #include <array>
 #include <cstdint>
@@ -35,8 +36,8 @@ struct LevelDifficulty {
     double ease() const;
 };
 
-/// Plays `seeds` games of each skill, with seeds 1, 2, ..., of at most `mostTicks`.
-LevelDifficulty difficultyOf(const Level& level, std::uint32_t seeds, std::uint32_t mostTicks);
+/// Plays the games of `options` with each skill and with the absent player.
+LevelDifficulty difficultyOf(const Level& level, const LintOptions& options);
 
 /// Spearman's rank correlation, -1..1, with mean ranks for equal values. 0 if a list has one value
 /// only. The lists are equally long.

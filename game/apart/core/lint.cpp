@@ -347,8 +347,8 @@ LintReport lint(const Level& level, const LintOptions& options) {
     judgeStanding(level, report);
     std::uint64_t ticks = 0;
     std::uint64_t work = 0;
-    for (std::uint32_t seed = 1; seed <= options.seeds; ++seed) {
-        report.runs.push_back(runBot(level, seed, options.mostTicks));
+    for (std::uint32_t game = 0; game < options.seeds; ++game) {
+        report.runs.push_back(runBot(level, options.firstSeed + game, options.mostTicks));
         judgeRun(report.runs.back(), report);
         ticks += report.runs.back().ticks;
         work += report.runs.back().work;

@@ -46,7 +46,8 @@ BotRun runBot(const Level& level, std::uint32_t seed, std::uint32_t mostTicks,
               BotKind kind = BotKind::Good);
 
 struct LintOptions {
-    std::uint32_t seeds = 1;                            // number of games, with seeds 1, 2, ...
+    std::uint32_t seeds = 1;                            // number of games, each with its seed
+    std::uint32_t firstSeed = 1;                        // of the first game; then one more, ...
     std::uint32_t mostTicks = 5 * 60 * kTicksPerSecond; // of each game
 };
 

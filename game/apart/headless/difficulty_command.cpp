@@ -103,7 +103,7 @@ int runDifficulty(const LintCommand& command) {
     printSkillHead();
     for (const std::string& name : command.levels.empty() ? namesOfLevels() : command.levels) {
         const Level level = valueOrRefuse(loadLevel(name));
-        levels.push_back(difficultyOf(level, command.options.seeds, command.options.mostTicks));
+        levels.push_back(difficultyOf(level, command.options));
         printSkillRow(levels.back());
     }
     return judge(levels) ? 0 : 1;

@@ -233,6 +233,10 @@ CLI::App* addLint(CLI::App& app, LintCommand& lint) {
                      "Games of the bot on each level, 1 unless given")
         ->check(CLI::Range(1u, 1000000u));
     command
+        ->add_option("--first-seed", lint.options.firstSeed,
+                     "Seed of the first game on each level, 1 unless given; then one more each")
+        ->check(CLI::Range(0u, kMostSeed));
+    command
         ->add_option("--ticks", lint.options.mostTicks, "Longest game in ticks, 36000 unless given")
         ->check(CLI::Range(1u, kLongestReplay));
     auto* json = command->add_flag("--json", lint.json, "Print one JSON object");
