@@ -74,20 +74,24 @@ void requireAlive(const Bodies& bodies, BodyId id, const char* field) {
                              : " is not in this World: it was removed, or never added"));
 }
 
+void makeRoom(Bodies& bodies, std::size_t count) {
+    bodies.motion.resize(count + 1);
+    bodies.pose.resize(count);
+    bodies.acceleration.resize(count);
+    bodies.extent.resize(count + 1);
+    bodies.teleportCount.resize(count);
+    bodies.hasTeleported.resize(count);
+    bodies.hasArrived.resize(count);
+    bodies.filter.resize(count);
+    bodies.record.resize(count);
+    bodies.parts.resize(count);
+    bodies.sleep.resize(count);
+}
+
 BodyId addBody(Bodies& bodies, const BodyDef& def, std::shared_ptr<const BodyGeometry> geometry) {
     const IdPool::Slot slot = bodies.ids.allocate();
     if (slot.index == bodies.size()) {
-        bodies.motion.emplace_back();
-        bodies.pose.emplace_back();
-        bodies.acceleration.emplace_back();
-        bodies.extent.emplace_back();
-        bodies.teleportCount.emplace_back();
-        bodies.hasTeleported.emplace_back();
-        bodies.hasArrived.emplace_back();
-        bodies.filter.emplace_back();
-        bodies.record.emplace_back();
-        bodies.parts.emplace_back();
-        bodies.sleep.emplace_back();
+        makeRoom(bodies, slot.index + 1);
     }
     BodyVelocity motion;
     motion.velocity = def.velocity;

@@ -173,6 +173,9 @@ void resizeByBody(std::vector<T>& values, const Bodies& bodies, const T& added =
 /// for calls that take several ids.
 void requireAlive(const Bodies& bodies, BodyId id, const char* field = nullptr);
 
+/// Resizes the arrays by body to `count` slots.
+void makeRoom(Bodies& bodies, std::size_t count);
+
 /// Adds a body. Precondition: the definition is valid.
 BodyId addBody(Bodies& bodies, const BodyDef& def, std::shared_ptr<const BodyGeometry> geometry);
 void removeBody(Bodies& bodies, std::uint32_t index);

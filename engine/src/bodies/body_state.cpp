@@ -121,20 +121,6 @@ void checkAwake(const Bodies& bodies) {
     }
 }
 
-void makeRoom(Bodies& bodies, std::size_t count) {
-    bodies.motion.resize(count + 1);
-    bodies.pose.resize(count);
-    bodies.acceleration.resize(count);
-    bodies.extent.resize(count + 1);
-    bodies.teleportCount.resize(count);
-    bodies.hasTeleported.resize(count);
-    bodies.hasArrived.resize(count);
-    bodies.filter.resize(count);
-    bodies.record.resize(count);
-    bodies.parts.resize(count);
-    bodies.sleep.resize(count);
-}
-
 } // namespace
 
 void visitState(StateStream& stream, Part& part) {

@@ -38,7 +38,7 @@ void ContactSet::touchedBy(std::uint32_t body, std::vector<std::uint32_t>& other
     store_.lists().forEach(body, [&](std::uint32_t slot) {
         if (contacts()[slot].wasTouching) {
             const ContactKey& key = contacts()[slot].key;
-            others.push_back(key.bodyA == body ? key.bodyB : key.bodyA);
+            others.push_back(key.other(body));
         }
     });
 }

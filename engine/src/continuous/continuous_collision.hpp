@@ -71,6 +71,7 @@ private:
     Real timeThroughLine(const Step& step, const Contact& contact, Real motion) const;
     Real timeToJointedLine(const Step& step, const Contact& contact, Real gap, Real from) const;
     void findPushes(const Step& step);
+    Separation separationAt(const Step& step, const Contact& contact, Real time) const;
     void holdBackAtGround(const Step& step, std::uint32_t body, Real time);
     void bounceOff(const Step& step, std::uint32_t slot, Real time);
     void takePushedDisplacement(const Step& step, const Contact& contact, Real time);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "continuous/continuous_collision.hpp"
+#include "continuous/relative_motion.hpp"
 #include "continuous/stop_motion.hpp"
 #include "impacts/departure.hpp"
 #include "impacts/impact_solver.hpp"
@@ -42,19 +43,22 @@ Vec2& ContinuousCollision::pushOf(std::uint32_t body) {
     return push_[body];
 }
 
+Separation ContinuousCollision::separationAt(const Step& step, const Contact& contact,
+                                             Real time) const {
+    const auto& [bodyA, partA, bodyB, partB] = contact.key;
+    return separation(step.bodies.convex(bodyA, partA), pathOf(step.bodies, bodyA).at(time),
+                      step.bodies.convex(bodyB, partB), pathOf(step.bodies, bodyB).at(time));
+}
+
 /// Takes from the push of a body what would press it into a static one, which dominates: into any
 /// that it touches, or nearly, at `time`.
 void ContinuousCollision::holdBackAtGround(const Step& step, std::uint32_t body, Real time) {
     step.contactSet.store().lists().forEach(body, [&](std::uint32_t i) {
         const Contact& contact = step.contacts[i];
-        const auto [bodyA, partA, bodyB, partB] = contact.key;
-        const std::uint32_t ground = bodyA == body ? bodyB : bodyA;
-        if (step.bodies.isStill(ground) && !contact.sensor && !contact.hidden && !contact.passing) {
-            const auto [axis, distance] =
-                separation(step.bodies.convex(bodyA, partA), pathOf(step.bodies, bodyA).at(time),
-                           step.bodies.convex(bodyB, partB), pathOf(step.bodies, bodyB).at(time));
+        if (step.bodies.isStill(contact.key.other(body)) && contact.mayRespond()) {
+            const auto [axis, distance] = separationAt(step, contact, time);
             if (distance <= step.tolerances.margin) {
-                const Vec2 out = ground == bodyA ? axis : -axis;
+                const Vec2 out = body == contact.key.bodyB ? axis : -axis;
                 push_[body] -= std::min(dot(out, push_[body]), Real(0)) * out;
             }
         }
@@ -83,21 +87,32 @@ void ContinuousCollision::findPushes(const Step& step) {
 }
 
 /// Applies the impact of a body with restitution that meets a kinematic one at `time`, along the
-/// normal there: by the next step a body that turns has another one. Where a joint or a third body
-/// holds the body, the next step has the impact.
+/// normal there: by the next step a body that turns has another one. Where a joint holds the body,
+/// or something else arrives at it or moves with it as well, the next step has all impacts.
 void ContinuousCollision::bounceOff(const Step& step, std::uint32_t slot, Real time) {
     Bodies& bodies = step.bodies;
     ContactSet& contactSet = step.contactSet;
     Contact& contact = step.contacts[slot];
+    const Real slop = step.tolerances.slop;
     const auto [bodyA, partA, bodyB, partB] = contact.key;
     const bool drivenA = bodies.isMovingKinematic(bodyA);
     if (!contact.bounces || !step.settings.has(Feature::Restitution) ||
         drivenA == bodies.isMovingKinematic(bodyB) ||
-        isJointed(bodies, step.joints.lists(), contact.key) ||
-        !isAlone(bodies, contactSet.store(), slot, step.tolerances.slop)) {
+        isJointed(bodies, step.joints.lists(), contact.key)) {
         return;
     }
     const std::uint32_t body = drivenA ? bodyB : bodyA;
+    bool alone = true;
+    contactSet.store().lists().forEach(body, [&](std::uint32_t other) {
+        const Contact& beside = step.contacts[other];
+        const bool rests = bodies.isStill(beside.key.other(body)) &&
+                           gapOf(bodies, contactSet, other, step.tolerances) <= slop;
+        alone = alone && (other == slot || rests || !beside.mayRespond() ||
+                          separationAt(step, beside, time).distance > slop);
+    });
+    if (!alone) {
+        return;
+    }
     BodyVelocity& motion = bodies.motion[body];
     const Acceleration& forces = bodies.acceleration[body];
     const Real left = timeFrom(motion, forces.linear, time, step.dt);
@@ -124,11 +139,7 @@ void ContinuousCollision::takePushedDisplacement(const Step& step, const Contact
         !step.bodies.isMovingKinematic(key.bodyA) && !step.bodies.isMovingKinematic(key.bodyB)) {
         return;
     }
-    const Transform a = pathOf(step.bodies, key.bodyA).at(time);
-    const Transform b = pathOf(step.bodies, key.bodyB).at(time);
-    const Vec2 normal = separation(step.bodies.convex(key.bodyA, key.partA), a,
-                                   step.bodies.convex(key.bodyB, key.partB), b)
-                            .axis;
+    const Vec2 normal = separationAt(step, contact, time).axis;
     const auto wayOf = [&](std::uint32_t body, Vec2 arm) {
         return step.bodies.locked(body) ? carriedBy(step.bodies.motion[body], arm, time)
                                         : push_[body];
@@ -145,7 +156,8 @@ void ContinuousCollision::takePushedDisplacement(const Step& step, const Contact
         }
         holdBackAtGround(step, body, time);
     };
-    const Vec2 arm = b.position - a.position;
+    const Vec2 arm = pathOf(step.bodies, key.bodyB).positionAt(time) -
+                     pathOf(step.bodies, key.bodyA).positionAt(time);
     take(key.bodyA, key.bodyB, -normal, wayOf(key.bodyB, -arm));
     take(key.bodyB, key.bodyA, normal, wayOf(key.bodyA, arm));
 }

@@ -50,7 +50,7 @@ void ContinuousCollision::cutShort(const Step& step, std::uint32_t body, Real ti
         if (summary.sensor || !isSwift(step.bodies, summary)) {
             return;
         }
-        const std::uint32_t other = summary.bodyA == body ? summary.bodyB : summary.bodyA;
+        const std::uint32_t other = summary.other(body);
         const bool pushed = push_[body] != Vec2{} || push_[other] != Vec2{};
         if (pushed && times_[i] != kTaken) { // pushes move stopped bodies
             findTime(step, i, 0);

@@ -41,8 +41,7 @@ inline bool isAlone(const Bodies& bodies, const ContactStore& store, std::uint32
         }
         store.lists().forEach(body, [&](std::uint32_t other) {
             const Contact& contact = store.contacts()[other];
-            const std::uint32_t third =
-                contact.key.bodyA == body ? contact.key.bodyB : contact.key.bodyA;
+            const std::uint32_t third = contact.key.other(body);
             const bool ofPair = third == key.bodyA || third == key.bodyB;
             alone = alone && (ofPair || bodies.isStill(third) || !contact.responds() ||
                               store.separation(other) > slop);

@@ -23,6 +23,7 @@ struct ContactKey {
     std::uint16_t partA = 0;
     std::uint32_t bodyB = 0;
     std::uint16_t partB = 0;
+    std::uint32_t other(std::uint32_t body) const { return body == bodyA ? bodyB : bodyA; }
     friend constexpr auto operator<=>(const ContactKey&, const ContactKey&) = default;
 };
 
@@ -93,6 +94,8 @@ struct alignas(64) Contact {
 
     /// True if the solver applies impulses to the bodies.
     bool responds() const { return manifold.count > 0 && !sensor && !hidden; }
+    /// True if it may do so once the bodies touch.
+    bool mayRespond() const { return !sensor && !hidden && !passing; }
 };
 
 /// A contact outside the lists of a step, with its numbers.
@@ -127,6 +130,7 @@ struct ContactSummary {
         bounces = contact.bounces;
         mayTouch = contact.manifold.count > 0 || sensor;
     }
+    std::uint32_t other(std::uint32_t body) const { return body == bodyA ? bodyB : bodyA; }
     bool inPasses() const { return row.index != ContactRow::kNone; }
 };
 

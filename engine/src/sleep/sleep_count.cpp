@@ -233,7 +233,7 @@ bool SleepSystem::followIsland(std::uint32_t start, std::uint32_t search, const 
             const Contact& contact = contacts.contacts()[slot];
             if (!summary.sensor && contact.touching) {
                 calm = calm && contact.material.surfaceSpeed == 0; // a belt conveys what it carries
-                reach(summary.bodyA == body ? summary.bodyB : summary.bodyA);
+                reach(summary.other(body));
             }
         });
         joints.visitOf(body, [&](const JointSet::Joint& joint) {

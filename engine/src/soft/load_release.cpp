@@ -97,8 +97,7 @@ void LoadRelease::findGains(const StepInput& inputs, std::uint32_t body) {
     const BodyVelocity kept = motion;
     for (const std::uint32_t slot : slots_) {
         const ContactSummary& summary = inputs.contactSet.summaries()[slot];
-        BodyVelocity& other =
-            inputs.bodies.motion[summary.bodyA == body ? summary.bodyB : summary.bodyA];
+        BodyVelocity& other = inputs.bodies.motion[summary.other(body)];
         const BodyVelocity otherKept = other;
         applyImpulses(inputs.bodies, inputs.contactSet.lanes().placeOf(summary.row.index), 1);
         gains_.push_back(
@@ -136,7 +135,7 @@ void LoadRelease::release(const StepInput& inputs, std::uint32_t body, Real h) {
         const ContactLanes::Place lane = blocks.placeOf(summary.row.index);
         applyImpulses(bodies, lane, -share);
         scaleImpulses(lane, 1 - share);
-        const std::uint32_t other = summary.bodyA == body ? summary.bodyB : summary.bodyA;
+        const std::uint32_t other = summary.other(body);
         if (isKicked(inputs, other, h)) {
             addKicked(other);
         }
@@ -181,7 +180,7 @@ void LoadRelease::releaseSeparating(const StepInput& inputs, std::uint32_t body,
                 std::max(kThrown * inputs.tolerances.slop, kThrownAgainst * fall)) {
             applyImpulses(inputs.bodies, lane, -1);
             scaleImpulses(lane, 0);
-            changed_.push_back(summary.bodyA == body ? summary.bodyB : summary.bodyA);
+            changed_.push_back(summary.other(body));
         }
     }
 }

@@ -157,7 +157,7 @@ void Refinement::spread(const Step& step, std::uint32_t body, std::uint8_t level
         queue_.pop_back();
         step.contactSet.store().lists().forEach(next, [&](std::uint32_t slot) {
             const ContactSummary& summary = step.contactSet.summaries()[slot];
-            const std::uint32_t other = summary.bodyA == next ? summary.bodyB : summary.bodyA;
+            const std::uint32_t other = summary.other(next);
             if (summary.mayTouch && levels_[other] == 0 &&
                 needsRow(bodies, step.contactSet.store(), slot, restitution,
                          step.tolerances.slop) &&

@@ -103,16 +103,11 @@ std::optional<QueryHit> rayCast(const World& world, Vec2 from, Vec2 to, Collisio
 std::vector<QueryHit> rayCastAll(const World& world, Vec2 from, Vec2 to, CollisionFilter which,
                                  std::span<const BodyId> except) {
     std::vector<QueryHit> hits;
-    requireRay(world, from, to);
-    const QueryScope scope(world, which, except);
-    const PathEntry path(from, to, {});
-    scope.forParts([&](const Aabb& box) { return path(box, 1); },
-                   [&](std::uint32_t body, std::uint32_t part) {
-                       if (const auto hit = hitOf(scope, body, part, {from, to})) {
-                           hits.push_back(*hit);
-                       }
-                   });
-    std::sort(hits.begin(), hits.end(), isBefore); // total order: see isBefore
+    const auto take = [&](const QueryHit& hit) {
+        hits.push_back(hit);
+        return true;
+    };
+    visitRay(world, from, to, take, which, except);
     return hits;
 }
 
