@@ -27,7 +27,6 @@ struct Pair {
 
     long double expected() const { return support::signedDistance(shapeA, a, shapeB, b); }
     Manifold manifold(Real margin) const { return collide(shapeA, a, shapeB, b, margin, 0); }
-    bool hasLine() const { return !hasRound() && (shapeA.isLine() || shapeB.isLine()); }
     bool hasRound() const { return shapeA.isRound() || shapeB.isRound(); }
     bool hasPlane() const { return shapeA.isPlane() || shapeB.isPlane(); }
 };
@@ -103,9 +102,7 @@ TEST_P(EveryPair, HasAContactWithinTheMargin) {
         const Pair p = next();
         const long double expected = p.expected();
         const Manifold manifold = p.manifold(kMargin);
-        // Beyond the end of a face the height there counts, so half of the margin is certain.
-        // Against a line nothing is, since it may be at any angle to the face.
-        if (expected < static_cast<long double>(p.hasLine() ? 0 : kMargin / 2)) {
+        if (expected < static_cast<long double>(kMargin - kTolerance)) {
             ASSERT_GT(manifold.count, 0) << "pose " << i << ": " << expected;
         }
         for (std::size_t k = 0; k < static_cast<std::size_t>(manifold.count); ++k) {
@@ -115,6 +112,23 @@ TEST_P(EveryPair, HasAContactWithinTheMargin) {
         if (manifold.count == 2) { // two different points
             ASSERT_NE(manifold.points[0].armA, manifold.points[1].armA) << "pose " << i;
             ASSERT_NE(manifold.points[0].feature, manifold.points[1].feature) << "pose " << i;
+        }
+    }
+}
+
+// Neither face need lie over the other: a point beyond an end has at least the separation along the
+// best axis, which for polygons is a lower bound of the distance.
+TEST_P(EveryPair, NearerThanAnyMarginHasAPointNoDeeperThanItsBestAxis) {
+    for (int i = 0; i < kPoses && !bothPlanes(); ++i) {
+        const Pair p = next();
+        const Real gap = distance(p.shapeA, p.a, p.shapeB, p.b).distance;
+        const Real along = separation(p.shapeA, p.a, p.shapeB, p.b).distance;
+        for (const Real margin : {Real(0.01), Real(0.1), Real(0.5), Real(2)}) {
+            if (gap > 0 && gap < margin - kTolerance) {
+                const Manifold manifold = p.manifold(margin);
+                ASSERT_GT(manifold.count, 0) << "pose " << i << ": " << gap << ", " << margin;
+                ASSERT_GE(manifold.points[0].separation, along - kTolerance) << "pose " << i;
+            }
         }
     }
 }

@@ -108,8 +108,10 @@ Manifold clipAgainstFace(Placed a, Placed b, const Transform& ab, const FaceAxis
     const Vec2 second = shapeA.vertices[nextVertex(shapeA, axis.face)];
     const Vec2 along = perp(normal);
     Manifold manifold;
-    const bool left = clip(edge, -along, -dot(along, first));
-    if (!left || !clip(edge, along, dot(along, second))) {
+    const Real height = dot(normal, first);
+    const Real radii = shapeA.radius + shapeB.radius;
+    if (!clip(edge, -along, -dot(along, first)) || !clip(edge, along, dot(along, second)) ||
+        std::min(dot(normal, edge.start), dot(normal, edge.end)) - height - radii > margin) {
         if (beyond == BeyondEnds::Nothing) {
             return manifold;
         }
@@ -117,8 +119,6 @@ Manifold clipAgainstFace(Placed a, Placed b, const Transform& ab, const FaceAxis
     }
     manifold.normal = a.at.rotation * normal;
     const std::uint32_t feature = static_cast<std::uint32_t>(axis.face << 12 | other << 1);
-    const Real height = dot(normal, first);
-    const Real radii = shapeA.radius + shapeB.radius;
     LocalPoint points[2] = {{edge.start, dot(normal, edge.start) - height - radii, feature},
                             {edge.end, dot(normal, edge.end) - height - radii, feature + 1}};
     if (points[1].separation < points[0].separation) {

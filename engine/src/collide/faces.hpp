@@ -11,8 +11,8 @@ inline namespace KODO_PRECISION {
 /// The edge at `vertex` of b most antiparallel to a normal (in b's frame).
 std::size_t incidentEdge(const ConvexShape& b, std::size_t vertex, Vec2 normalInB);
 
-/// Result of a face when clipping leaves nothing of the other shape: its deepest corner as contact
-/// point, or an empty manifold, so that a neighbour provides the contact.
+/// Result of a face when clipping leaves nothing of the other shape within the margin: its deepest
+/// corner as contact point, or an empty manifold, so that a neighbour provides the contact.
 enum class BeyondEnds : std::uint8_t { DeepestCorner, Nothing };
 
 /// A shape and its pose.
