@@ -16,14 +16,14 @@ namespace {
 using support::draws;
 using support::RandomNumbers;
 
-constexpr int kRates[] = {60, 30, 120, 240}; // Hz
+constexpr int kFrameRates[] = {60, 30, 120, 240}; // Hz
 
 // Closed form: the blow on both parts goes through the centre of a symmetric body, which leaves at
 // (1 + e) u, with the record of its whole momentum. Regression: one part alone took the blow of a
 // bar within the step, and 241 to 384 of 400 bodies were turned, by up to 0.73 u.
 TEST(SharedBlow, ABarThatMeetsTwoPartsTurnsNothing) {
     for (const StepSettings& settings : {balanced(), fast()}) {
-        for (const int rate : kRates) {
+        for (const int rate : kFrameRates) {
             RandomNumbers random(1);
             for (int i = 0; i < draws(200); ++i) {
                 const Real u = random.between(1, 5);
@@ -70,7 +70,7 @@ TEST(SharedBlow, ABarThatMeetsTwoPartsTurnsNothing) {
 // 46 rad/s.
 TEST(SharedBlow, TilesOfALiftTurnNoLevelCrate) {
     for (const bool all : {true, false}) {
-        for (const int rate : kRates) {
+        for (const int rate : kFrameRates) {
             RandomNumbers random(2);
             for (int i = 0; i < draws(200); ++i) {
                 const Material material = withFriction(Real(0.5), random.between(0.02, 0.3));
