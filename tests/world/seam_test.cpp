@@ -166,6 +166,22 @@ BodyDef thrown(RandomNumbers& random, int kind) {
     return def;
 }
 
+/// m/s: the change of the velocity of a body in a step, and what its hits tell of it.
+struct Blow {
+    Real change;
+    Real told;
+};
+
+Blow blowOf(World& world, BodyId body, int rate) {
+    const Vec2 before = world[body].velocity();
+    world.step(1 / static_cast<Real>(rate));
+    Blow blow{length(world[body].velocity() - before), 0};
+    for (const CollisionRecord& hit : world.hits(0)) {
+        blow.told += hit.totalImpulse / world[body].mass();
+    }
+    return blow;
+}
+
 // Newton's second law: the impulses of the hits of a step add up to m dv, if nothing else acts.
 // Normals differ by less than 0.3 rad, so the sum of their lengths is not below that of the
 // vectors but by rounding. Blows below 0.3 m/s are left out: rests of others are among them.
@@ -181,13 +197,7 @@ TEST(Seam, HitsTellEveryBlowOnTiles) {
                 addTiles(world, Ground::Tiles, support::slippery());
                 const BodyId body = world.add(thrown(random, kind));
                 for (int step = 0; step < rate; ++step) {
-                    const Vec2 before = world[body].velocity();
-                    world.step(1 / static_cast<Real>(rate));
-                    const Real change = length(world[body].velocity() - before);
-                    Real told = 0; // m/s
-                    for (const CollisionRecord& hit : world.hits(0)) {
-                        told += hit.totalImpulse / world[body].mass();
-                    }
+                    const auto [change, told] = blowOf(world, body, rate);
                     if (change > Real(0.3)) {
                         ++blows;
                         ASSERT_GT(told, Real(0.999) * change)
@@ -242,13 +252,7 @@ TEST(Seam, HitsTellEveryBlowOnNarrowTilesAndAtARamp) {
                 addFlushGround(world, i % 2 == 0 ? 0 : random.between(0.08, 0.3), material);
                 const BodyId body = world.add(spinning(random, material));
                 for (int step = 0; step < rate && world[body].position().x < 2; ++step) {
-                    const Vec2 before = world[body].velocity();
-                    world.step(1 / static_cast<Real>(rate));
-                    const Real change = length(world[body].velocity() - before);
-                    Real told = 0; // m/s
-                    for (const CollisionRecord& hit : world.hits(0)) {
-                        told += hit.totalImpulse / world[body].mass();
-                    }
+                    const auto [change, told] = blowOf(world, body, rate);
                     if (change > Real(0.3)) {
                         ++blows;
                         ASSERT_GT(told, Real(0.999) * change)
