@@ -88,7 +88,8 @@ void ContinuousCollision::findPushes(const Step& step) {
 
 /// Applies the impact of a body with restitution that meets a kinematic one at `time`, along the
 /// normal there: by the next step a body that turns has another one. Where a joint holds the body,
-/// or something else arrives at it or moves with it as well, the next step has all impacts.
+/// or another of its contacts touches as well, the next step has all impacts. Not counted is still
+/// ground on which it rests.
 void ContinuousCollision::bounceOff(const Step& step, std::uint32_t slot, Real time) {
     Bodies& bodies = step.bodies;
     ContactSet& contactSet = step.contactSet;
